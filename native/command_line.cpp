@@ -1,0 +1,108 @@
+#include "native/command_line.h"
+
+#include <cstdio>
+
+namespace gnomon {
+
+namespace {
+
+std::string helpOf(const SettingRow& row) {
+    const std::string standard = textOf(row, Settings{});
+    std::string text(row.help);
+    if (!standard.empty()) text += " [" + standard + "]";
+    if (!row.next.empty()) text += " key " + std::string(row.next);
+    if (!row.previous.empty()) text += ", " + std::string(row.previous);
+    return text;
+}
+
+/// The values of a row, in ASCII so that CLI11's columns line up.
+std::string valuesOf(const SettingRow& row) {
+    std::string range = rangeOf(row);
+    const std::string ellipsis = "…";
+    for (auto at = range.find(ellipsis); at != std::string::npos; at = range.find(ellipsis))
+        range.replace(at, ellipsis.size(), "..");
+    return range;
+}
+
+} // namespace
+
+int fail(ExitCode code, const Problems& problems) {
+    for (const auto& problem : problems) std::fprintf(stderr, "gnomon: error: %s\n", toString(problem).c_str());
+    return code;
+}
+
+Problem wrongOption(const std::string& option, const std::string& what, const std::string& remedy) {
+    return {"command line", 0, option, what, remedy};
+}
+
+void addScene(CLI::App& command, std::string& scene, bool required) {
+    auto* option = command.add_option("SCENE", scene, "A scene's name, as `gnomon scenes` lists them, or a scene file");
+    option->type_name("")->required(required);
+}
+
+void addSettings(CLI::App& command, Drawing& drawing) {
+    for (const auto& row : settingsTable()) {
+        const std::string key(row.key);
+        const auto keep = [&drawing, key](const std::string& text) { drawing.values.emplace_back(key, text); };
+        command.add_option_function<std::string>("--" + key, keep, helpOf(row))
+            ->type_name(valuesOf(row))
+            ->group(std::string(row.group))
+            ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+    }
+}
+
+std::optional<Settings> readSettings(const Drawing& drawing, Problems& problems) {
+    Settings settings;
+    bool right = true;
+    for (const auto& [key, text] : drawing.values)
+        right = setFromText(settings, key, text, "command line", problems) && right;
+    return right ? std::optional(settings) : std::nullopt;
+}
+
+std::optional<CameraPose> poseOf(const Scene& scene, const Settings& settings, Problems& problems) {
+    CameraPose pose = scene.camera;
+    pose.eye = settings.eye.value_or(pose.eye);
+    pose.target = settings.target.value_or(pose.target);
+    pose.fov = settings.fov.value_or(pose.fov);
+    const std::size_t before = problems.size();
+    if (pose.eye == pose.target)
+        problems.push_back(wrongOption("eye", "the camera looks at its own place", "let --eye and --target differ"));
+    const int lights = int(scene.lights.size());
+    if (settings.aov == Aov::Visibility && settings.light >= lights)
+        problems.push_back(
+            wrongOption("light", scene.name + " has no light " + std::to_string(settings.light),
+                        lights == 0 ? "choose a scene with lights" : "use 0…" + std::to_string(lights - 1)));
+    return problems.size() == before ? std::optional(pose) : std::nullopt;
+}
+
+std::optional<Loaded> load(const std::string& sceneName, Problems& problems) {
+    const auto assets = AssetFolder::find(problems);
+    if (!assets) return std::nullopt;
+    auto scene = assets->readScene(sceneName, problems);
+    if (!scene) return std::nullopt;
+    auto images = assets->readImages(*scene, problems);
+    if (!images) return std::nullopt;
+    return Loaded{*assets, std::move(*scene), std::move(*images)};
+}
+
+Problems unknownWords(const CLI::App& command) {
+    std::vector<std::string> known;
+    for (const auto* option : command.get_options())
+        for (const auto& name : option->get_lnames()) known.push_back("--" + name);
+    Problems problems;
+    for (const auto& word : command.remaining()) {
+        if (word.empty() || word[0] != '-') {
+            problems.push_back(wrongOption({}, "'" + word + "' is one word too many",
+                                           "`gnomon " + command.get_name() + " --help` shows what fits"));
+            continue;
+        }
+        const std::string name = word.substr(0, word.find('='));
+        const auto meant = closest(name, {known.begin(), known.end()});
+        problems.push_back(wrongOption({}, "there is no option " + name,
+                                       meant.empty() ? "`gnomon " + command.get_name() + " --help` lists them"
+                                                     : "did you mean " + std::string(meant) + "?"));
+    }
+    return problems;
+}
+
+} // namespace gnomon

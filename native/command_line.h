@@ -1,0 +1,56 @@
+/// What the commands share: exit codes, messages, and the settings table as options.
+#pragma once
+
+#include "native/asset_folder.h"
+#include "tracer/problem.h"
+#include "tracer/render/settings.h"
+#include "tracer/scene/scene.h"
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace gnomon {
+
+enum ExitCode { kDone = 0, kInputWrong = 1, kCommandLineWrong = 2, kNoGl = 3 };
+
+/// Work a command line asks for; answers the exit code.
+using Task = std::function<int()>;
+
+/// Every problem as `gnomon: error: …` on stderr, then `code`.
+int fail(ExitCode code, const Problems&);
+
+/// A problem of the command line; `option` may be empty.
+Problem wrongOption(const std::string& option, const std::string& what, const std::string& remedy);
+
+/// `SCENE` and `--KEY=VALUE` for every row of the settings table, as they were typed.
+struct Drawing {
+    std::string scene = "lite";
+    std::vector<std::pair<std::string, std::string>> values;
+};
+void addScene(CLI::App& command, std::string& scene, bool required);
+void addSettings(CLI::App& command, Drawing&);
+
+/// The settings of the command line over the defaults. Every wrong one is a problem.
+std::optional<Settings> readSettings(const Drawing&, Problems&);
+
+/// The pose a picture is taken from, and whether settings and scene fit together.
+std::optional<CameraPose> poseOf(const Scene&, const Settings&, Problems&);
+
+/// All that is drawn from, read and checked.
+struct Loaded {
+    AssetFolder assets;
+    Scene scene;
+    NamedImages images;
+};
+std::optional<Loaded> load(const std::string& scene, Problems&);
+
+/// What CLI11 did not know, each with the closest option the command has.
+Problems unknownWords(const CLI::App& command);
+
+} // namespace gnomon

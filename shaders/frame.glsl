@@ -1,0 +1,23 @@
+// What changes from frame to frame: one uniform block, filled by the renderer (FrameBlock in tracer/render/renderer.cpp).
+//
+// eye, right, up, forward   camera in world space; right and up are scaled so that the canvas' edges lie at +-1
+// cone                      x: angle of one pixel in radians
+// background                where nothing is hit and there is no cube map
+// options                   x: rays with a smaller share of the picture are not followed
+// canvas                    xy: size in pixels
+// limits                    x: deepest ray 1 … 8, y: light of the visibility output, z: 1 to encode for a display
+// channels                  xyz: which of r, g, b each output channel shows
+// zero                      0, opaque to the compiler (ray/split.glsl)
+layout(std140) uniform Frame {
+    vec4 eye;
+    vec4 right;
+    vec4 up;
+    vec4 forward;
+    vec4 background;
+    vec4 cone;
+    vec4 options;
+    vec4 canvas;
+    ivec4 limits;
+    ivec4 channels;
+    uvec4 zero;
+} frame;

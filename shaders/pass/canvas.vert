@@ -1,0 +1,5 @@
+// Covers the canvas with one triangle; no vertex data: the three corners come from the vertex's number.
+void main() {
+    vec2 corner = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+    gl_Position = vec4(corner, 0.0, 1.0);
+}

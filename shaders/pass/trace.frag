@@ -1,0 +1,89 @@
+// One pixel: the primary ray through its centre, and the output the settings ask for.
+//
+// Outputs are written as they are for reading back, or made visible for a window where frame.limits.z is 1.
+#include "frame.glsl"
+#include "scene.glsl"
+#include "ray/ray.glsl"
+#include "ray/split.glsl"
+#include "ray/nearest.glsl"
+#if SHADOWS
+#include "shadow/hard.glsl"
+#endif
+#if OUTPUT == COLOR
+#if IMAGES
+#include "shade/images.glsl"
+#endif
+#include "shade/material.glsl"
+#include "shade/sky.glsl"
+#if GLOWS
+#include "shade/glow.glsl"
+#endif
+#if REFLECTION
+#include "shade/fresnel.glsl"
+#endif
+#if LIGHTS
+#include "shade/lights.glsl"
+#endif
+#include "shade/blinn_phong.glsl"
+#include "shade/encode.glsl"
+#include "ray/tree.glsl"
+#elif OUTPUT == VISIBILITY
+#if LIGHTS
+#include "shade/lights.glsl"
+#endif
+#endif
+
+out vec4 outColor;
+
+Ray primaryRay() {
+    vec2 at = 2.0 * gl_FragCoord.xy / frame.canvas.xy - 1.0;
+    vec3 direction = normalize(frame.forward.xyz + at.x * frame.right.xyz + at.y * frame.up.xyz);
+    return Ray(frame.eye.xyz, direction, 0.0, -1, 0.0);
+}
+
+#if OUTPUT == COLOR
+vec4 pixel(Ray ray) {
+    vec3 color = chooseChannels(traceTree(ray, frame.cone.x));
+    return vec4(frame.limits.z == 1 ? encode(color) : color, 1.0);
+}
+#else
+// What the primary ray meets. `value` for reading back, `shown` for a window.
+vec4 pixel(Ray ray) {
+    float t;
+    int object = nearestHit(ray, t);
+    bool shown = frame.limits.z == 1;
+#if OUTPUT == DISTANCE
+    float value = object < 0 ? uintBitsToFloat(0x7F800000u) : t; // infinity where nothing is hit
+    return vec4(shown ? vec3(object < 0 ? 0.0 : 1.0 / (1.0 + 0.05 * t)) : vec3(value), 1.0);
+#elif OUTPUT == OBJECT
+    int index = object < 0 ? -1 : fileIndexOf(object);
+    vec3 shade = fract(vec3(0.61803399, 0.75487767, 0.56984029) * float(index + 1));
+    return vec4(shown ? (object < 0 ? vec3(0.0) : 0.25 + 0.75 * shade) : vec3(index), 1.0);
+#else
+    if (object < 0) {
+#if OUTPUT == VISIBILITY
+        return vec4(1.0);
+#else
+        return vec4(0.0, 0.0, 0.0, 1.0);
+#endif
+    }
+    Surface surface = surfaceAt(object, ray, t);
+#if OUTPUT == POSITION
+    return vec4(shown ? fract(surface.point) : surface.point, 1.0);
+#elif OUTPUT == NORMAL
+    vec3 normal = dot(surface.normal, ray.direction) <= 0.0 ? surface.normal : -surface.normal;
+    return vec4(shown ? 0.5 + 0.5 * normal : normal, 1.0);
+#else
+    float fraction = 1.0;
+#if LIGHTS && SHADOWS
+    Light light = loadLight(clamp(frame.limits.y, 0, kLightCount - 1));
+    float behind = dot(light.position - surface.point, surface.normal) * dot(ray.direction, surface.normal);
+    fraction = behind > 0.0 ? 0.0 : lightFraction(surface, object, light); // lit from behind: the surface itself is in the way
+#endif
+    return vec4(vec3(fraction), 1.0);
+#endif
+#endif
+}
+#endif
+
+void main() { outColor = pixel(primaryRay()); }

@@ -1,0 +1,24 @@
+// Plane: all points p with dot(p - point, normal) = 0.
+//
+// intersectPlane  t of the plane in (ray.tMin, t)
+// Error           t: 3 ulp of |origin - point| / |cos|
+// Source          solved about the plane's own point (docs/numerics.md)
+// Limits          normal is unit; a ray in the plane misses
+#include "primitive/planar.glsl"
+
+struct Plane {
+    vec3 point;
+    vec3 normal;
+};
+
+Plane loadPlane(int at) { return Plane(sceneTexel(at).xyz, sceneTexel(at + 1).xyz); }
+
+bool intersectPlane(Plane plane, Ray ray, float side, inout float t) {
+    if (side != 0.0) return false;
+    float hit = meetPlane(plane.point, plane.normal, ray);
+    if (!(hit > ray.tMin && hit < t)) return false;
+    t = hit;
+    return true;
+}
+
+Surface surfacePlane(Plane plane, Ray ray, float t) { return surfacePlanar(plane.point, plane.normal, ray, t); }

@@ -1,0 +1,264 @@
+// The program from outside: exit codes, messages, and that a command that fails writes nothing.
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include <sys/wait.h>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Answer {
+    int code = -1;
+    std::string out, err;
+};
+
+std::string readText(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string binary() {
+    const char* chosen = std::getenv("GNOMON_BINARY");
+    return chosen ? chosen : GNOMON_BINARY;
+}
+
+/// Runs in a folder of its own, so that whatever is written there was written by the test.
+class Cli : public ::testing::Test {
+  protected:
+    Cli() {
+        const auto* test = ::testing::UnitTest::GetInstance()->current_test_info();
+        folder_ = fs::temp_directory_path() / (std::string("gnomon-cli-") + test->name());
+        fs::remove_all(folder_);
+        fs::create_directories(folder_);
+    }
+    ~Cli() override { fs::remove_all(folder_); }
+
+    Answer gnomon(const std::string& words, const std::string& before = "env -u DISPLAY -u WAYLAND_DISPLAY") {
+        const fs::path err = folder_.string() + ".stderr";
+        const std::string command =
+            "cd '" + folder_.string() + "' && " + before + " '" + binary() + "' " + words + " 2>'" + err.string() + "'";
+        Answer run;
+        FILE* pipe = popen(command.c_str(), "r");
+        std::array<char, 4096> piece;
+        for (std::size_t n; (n = std::fread(piece.data(), 1, piece.size(), pipe)) > 0;) run.out.append(piece.data(), n);
+        const int status = pclose(pipe);
+        run.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+        run.err = readText(err);
+        fs::remove(err);
+        return run;
+    }
+
+    /// One message with `part` in it, the exit code, and no new file.
+    void expectRefused(const std::string& words, int code, const std::string& part) {
+        const std::size_t before = files();
+        const Answer run = gnomon(words);
+        EXPECT_EQ(run.code, code) << words << "\n" << run.err;
+        EXPECT_EQ(run.err.rfind("gnomon: error: ", 0), 0U) << words << "\n" << run.err;
+        EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << words << "\n" << run.err;
+        EXPECT_NE(run.err.find(part), std::string::npos) << words << "\n" << run.err;
+        EXPECT_EQ(run.out, "") << words;
+        EXPECT_EQ(files(), before) << words << " wrote something";
+    }
+
+    void write(const std::string& name, const std::string& text) { std::ofstream(folder_ / name) << text; }
+    std::size_t files() const { return std::size_t(std::distance(fs::directory_iterator(folder_), {})); }
+
+    fs::path folder_;
+};
+
+const char* const kScene = R"({
+  "lights": [{"point": {"position": [0, 5, 5]}, "color": [1, 1, 1]}],
+  "materials": {"red": {"diffuse": [1, 0, 0]}},
+  "objects": [{"sphere": {"center": [0, 0, 0], "radius": 0.5}, "material": "red"}]
+})";
+
+} // namespace
+
+TEST_F(Cli, RefusesSettingsOutOfRangeWithTheRange) {
+    expectRefused("render lite -o x.png --size=0x600", 2, "size: 0 is out of range; use 1…16384");
+    expectRefused("render lite -o x.png --size=100000x600", 2, "size: 100000 is out of range; use 1…16384");
+    expectRefused("render lite -o x.png --depth=9", 2, "depth: 9 is out of range; use 1…8");
+    expectRefused("render lite -o x.png --depth=0", 2, "depth: 0 is out of range; use 1…8");
+    expectRefused("render lite -o x.png --fov=180", 2, "fov: 180 is out of range; use 1…170");
+}
+
+TEST_F(Cli, RefusesNumbersThatAreNone) {
+    expectRefused("render lite -o x.png --time=nan", 2, "time: 'nan' is not a number");
+    expectRefused("render lite -o x.png --fov=inf", 2, "fov: 'inf' is not a number");
+    expectRefused("render lite -o x.png --eye=0,nan,3", 2, "eye: 'nan' is not a number");
+    expectRefused("render lite -o x.png --eye=0,0", 2, "eye: '0,0' is not a point");
+    expectRefused("render lite -o x.png --depth=four", 2, "depth: 'four' is not a whole number");
+    expectRefused("render lite -o x.png --depth", 2, "--depth has no value");
+}
+
+TEST_F(Cli, SuggestsTheWordThatMayBeMeant) {
+    expectRefused("render lite -o x.png --dept=3", 2, "there is no option --dept; did you mean --depth?");
+    expectRefused("render lite -o x.png --shadows=haard", 2, "did you mean 'hard'?");
+    expectRefused("render lit -o x.png", 1, "there is no scene 'lit'; did you mean 'lite'?");
+    expectRefused("rendr lite -o x.png", 2, "there is no command 'rendr'; did you mean 'render'?");
+    expectRefused("settings --jsn", 2, "did you mean --json?");
+}
+
+TEST_F(Cli, RefusesWordsThatAreMissingOrTooMany) {
+    expectRefused("render", 2, "SCENE is required");
+    expectRefused("render lite", 2, "--output is required");
+    expectRefused("render lite more -o x.png", 2, "'more' is one word too many");
+    expectRefused("render lite -o x.png --context=glut", 2, "'glut' is none of osmesa|egl|window");
+    expectRefused("shader lite --pass=blur", 2, "'blur' is none of trace|canvas");
+    expectRefused("view lite --window=qt", 2, "'qt' is none of glfw|sdl");
+}
+
+TEST_F(Cli, ReportsEveryWrongSettingAtOnce) {
+    const Answer run = gnomon("render lite -o x.jpg --depth=9 --glow=maybe");
+    EXPECT_EQ(run.code, 2);
+    for (const char* part : {"depth: 9", "glow: 'maybe'", "x.jpg: the picture's format is unknown"})
+        EXPECT_NE(run.err.find(part), std::string::npos) << run.err;
+    EXPECT_EQ(files(), 0U);
+}
+
+TEST_F(Cli, RefusesFilesThatCannotHoldTheOutput) {
+    expectRefused("render lite -o x.jpg", 2, "end the name with .png, .pfm or .exr");
+    expectRefused("render lite -o x.png --aov=distance", 2, "a PNG cannot hold distance");
+    expectRefused("render lite -o missing/x.png", 2, "there is no folder missing");
+}
+
+TEST_F(Cli, RefusesSettingsThatDoNotFitTheScene) {
+    expectRefused("render lite -o x.pfm --aov=visibility --light=7", 2, "lite has no light 7; use 0…2");
+    expectRefused("render lite -o x.png --eye=1,2,3 --target=1,2,3", 2, "the camera looks at its own place");
+}
+
+TEST_F(Cli, RefusesScenesThatAreMissingOrBroken) {
+    expectRefused("render nowhere.json -o x.png", 1, "nowhere.json: there is no such scene file");
+    expectRefused("render . -o x.png", 1, ".: is a folder");
+    write("broken.json", "{\"objects\": [\n");
+    expectRefused("render broken.json -o x.png", 1, "broken.json:");
+    write("number.json", "{\"objects\": [{\"sphere\": {\"center\": [0, 0, NaN], \"radius\": 1}}]}\n");
+    expectRefused("check number.json", 1, "number.json:1");
+    write("empty.json", "");
+    expectRefused("check empty.json", 1, "empty.json");
+}
+
+TEST_F(Cli, ReportsEveryProblemOfASceneWithItsLine) {
+    write("wrong.json", "{\n\"objects\": [\n{\"sphere\": {\"center\": [0, 0, 0], \"radius\": -1}},\n"
+                        "{\"sphere\": {\"centre\": [0, 0, 0], \"radius\": 1}}\n]}\n");
+    const Answer run = gnomon("check wrong.json");
+    EXPECT_EQ(run.code, 1);
+    EXPECT_NE(run.err.find("gnomon: error: wrong.json:3: "), std::string::npos) << run.err;
+    EXPECT_NE(run.err.find("gnomon: error: wrong.json:4: "), std::string::npos) << run.err;
+}
+
+TEST_F(Cli, SaysWhichImageIsMissingAndWhereItWasLookedFor) {
+    write("bare.json", R"({"materials": {"m": {"texture": {"image": "nosuchimage"}}},
+                           "objects": [{"sphere": {"center": [0, 0, 0], "radius": 1}, "material": "m"}]})");
+    expectRefused("render bare.json -o x.png", 1,
+                  "bare.json: image 'nosuchimage' is missing; put it at nosuchimage.png or ");
+    write("nosuchimage.png", "not a picture");
+    expectRefused("render bare.json -o x.png", 1, "nosuchimage.png: cannot be read as a picture");
+}
+
+TEST_F(Cli, NeedsADisplayOnlyForAWindow) {
+    expectRefused("view lite", 3, "`gnomon render SCENE -o FILE` draws in memory");
+    expectRefused("", 3, "`gnomon render SCENE -o FILE` draws in memory");
+    expectRefused("render lite -o x.png --context=window", 3, "no display can be opened");
+}
+
+TEST_F(Cli, SaysWhereTheAssetsAreExpected) {
+    const Answer run = gnomon("scenes", "env GNOMON_ASSETS=/nowhere");
+    EXPECT_EQ(run.code, 1);
+    EXPECT_NE(run.err.find("GNOMON_ASSETS: /nowhere holds no folder scenes"), std::string::npos) << run.err;
+}
+
+TEST_F(Cli, RendersAPictureInEveryFormat) {
+    for (const char* file : {"x.png", "x.pfm", "x.exr"}) {
+        const Answer run = gnomon(std::string("render lite --size=32x24 -o ") + file);
+        EXPECT_EQ(run.code, 0) << run.err;
+        EXPECT_EQ(run.err, "");
+        EXPECT_NE(run.out.find("lite, 32 x 24"), std::string::npos) << run.out;
+        EXPECT_TRUE(fs::exists(folder_ / file));
+    }
+    EXPECT_EQ(readText(folder_ / "x.pfm").size(), std::string("PF\n32 24\n-1.0\n").size() + 32 * 24 * 3 * 4);
+    EXPECT_EQ(files(), 3U);
+}
+
+TEST_F(Cli, RendersTheUsersOwnSceneFile) {
+    write("mine.json", kScene);
+    EXPECT_EQ(gnomon("check mine.json").out, "mine: right (1 object, 1 light, 2 materials, 0 images)\n");
+    const Answer run = gnomon("render mine.json --aov=distance --size=3x3 --eye=0,0,3 --target=0,0,0 -o d.pfm");
+    EXPECT_EQ(run.code, 0) << run.err;
+    const std::string bytes = readText(folder_ / "d.pfm"), head = "Pf\n3 3\n-1.0\n";
+    ASSERT_EQ(bytes.size(), head.size() + 9 * 4);
+    float middle = 0;
+    std::memcpy(&middle, bytes.data() + head.size() + 4 * 4, 4);
+    EXPECT_FLOAT_EQ(middle, 2.5F); // eye at 3, radius 0.5
+}
+
+TEST_F(Cli, TakesTheLastOfASettingGivenTwiceAndNegativeNumbersApart) {
+    const Answer run = gnomon("render lite --depth=9 --depth=1 --eye -1,2,30 --size=8x8 -o x.png");
+    EXPECT_EQ(run.code, 0) << run.err;
+}
+
+TEST_F(Cli, PrintsTheShaderWithoutAnyGl) {
+    const Answer es = gnomon("shader lite"), core = gnomon("shader lite --glsl=gl330"),
+                 canvas = gnomon("shader lite --pass=canvas");
+    EXPECT_EQ(es.code, 0) << es.err;
+    EXPECT_EQ(es.out.rfind("#version 300 es", 0), 0U);
+    EXPECT_EQ(core.out.rfind("#version 330 core", 0), 0U);
+    EXPECT_NE(canvas.out.find("gl_Position"), std::string::npos);
+    EXPECT_EQ(es.out.find("Torus"), std::string::npos) << "lite has no torus, so its shader must not";
+}
+
+TEST_F(Cli, MeasuresTheShader) {
+    const Answer run = gnomon("shader lite --stats");
+    EXPECT_EQ(run.code, 0) << run.err;
+    for (const char* part : {"bytes ", "lines ", "modules ", "pass/trace.frag", "compile "})
+        EXPECT_NE(run.out.find(part), std::string::npos) << run.out;
+}
+
+TEST_F(Cli, ListsScenesSettingsAndGlAsTextAndAsJson) {
+    for (const char* list : {"scenes", "settings", "info"}) {
+        const Answer text = gnomon(list), json = gnomon(std::string(list) + " --json");
+        EXPECT_EQ(text.code, 0) << text.err;
+        EXPECT_NE(text.out, "");
+        EXPECT_TRUE(nlohmann::json::accept(json.out)) << json.out;
+    }
+    EXPECT_NE(gnomon("scenes").out.find("lite"), std::string::npos);
+}
+
+TEST_F(Cli, ExplainsEveryCommandAndSetting) {
+    const Answer all = gnomon("--help");
+    EXPECT_EQ(all.code, 0);
+    for (const char* command : {"view", "render", "check", "shader", "scenes", "settings", "info"}) {
+        EXPECT_NE(all.out.find(command), std::string::npos);
+        EXPECT_EQ(gnomon(std::string(command) + " --help").code, 0) << command;
+    }
+    const std::string help = gnomon("render --help").out;
+    for (const auto& row : nlohmann::json::parse(gnomon("settings --json").out))
+        EXPECT_NE(help.find("--" + row.at("key").get<std::string>() + " "), std::string::npos) << row;
+}
+
+TEST_F(Cli, OpensAWindowWithEitherLibraryAndEndsAfterTheFramesAskedFor) {
+    if (std::system("command -v xvfb-run >/dev/null") != 0) GTEST_SKIP() << "there is no xvfb-run here";
+    for (const char* window : {"glfw", "sdl"}) {
+        const Answer run = gnomon(std::string("lite --frames=2 --size=64x48 --window=") + window, "xvfb-run -a");
+        EXPECT_EQ(run.code, 0) << window << "\n" << run.err;
+    }
+}
+
+TEST_F(Cli, DrawsTheSamePictureFromAWindowsGlAsFromMemory) {
+    if (std::system("command -v xvfb-run >/dev/null") != 0) GTEST_SKIP() << "there is no xvfb-run here";
+    EXPECT_EQ(gnomon("render lite --size=64x48 -o memory.pfm").code, 0);
+    const Answer run = gnomon("render lite --size=64x48 -o window.pfm --context=window", "xvfb-run -a");
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_TRUE(readText(folder_ / "memory.pfm") == readText(folder_ / "window.pfm")); // one Mesa behind both
+}

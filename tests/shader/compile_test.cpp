@@ -1,0 +1,138 @@
+/// Every scene × output × setting compiles: in glslang, which knows the standard, and in the GLs at hand, in both preludes.
+
+#include "tests/support/offscreen.h"
+#include "tests/support/scenes.h"
+#include "tracer/gl/objects.h"
+#include "tracer/shader/shader_builder.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+namespace gnomon {
+namespace {
+
+using namespace test;
+
+struct Variant {
+    std::string name;
+    Features features;
+};
+
+/// The combinations of settings that change the source.
+std::vector<Variant> variants(const std::string& sceneName) {
+    const Scene scene = sceneNamed(sceneName);
+    std::vector<Variant> all;
+    for (bool es300 : {true, false})
+        for (DataPath data : {DataPath::Block, DataPath::Texture}) {
+            Settings settings;
+            settings.data = data;
+            const auto add = [&](const std::string& what) {
+                all.push_back({sceneName + (es300 ? " es300 " : " gl330 ") + (data == DataPath::Block ? "block " : "texture ") + what,
+                               featuresOf(scene, settings, 1024, es300)});
+            };
+            for (Aov aov : {Aov::Color, Aov::Distance, Aov::Position, Aov::Normal, Aov::Object, Aov::Visibility}) {
+                settings.aov = aov;
+                add("output " + std::to_string(int(aov)));
+                settings.shadows = ShadowModel::Off;
+                add("output " + std::to_string(int(aov)) + " no shadows");
+                settings.shadows = ShadowModel::Hard;
+            }
+            settings.aov = Aov::Color;
+            settings.glow = settings.normalMaps = false;
+            add("no glow, no normal maps");
+        }
+    return all;
+}
+
+ShaderSource sourceOf(const Features& features) {
+    Problems problems;
+    ShaderSource source = buildShader("pass/trace.frag", features, problems);
+    EXPECT_EQ(toString(problems), "");
+    return source;
+}
+
+class Compile : public testing::TestWithParam<const char*> {
+  protected:
+    std::vector<Variant> all = variants(GetParam());
+};
+
+TEST_P(Compile, SatisfiesGlslang) {
+    const auto folder = std::filesystem::temp_directory_path() / ("gnomon-glslang-" + std::string(GetParam()));
+    std::filesystem::create_directories(folder);
+    std::string files;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const auto file = folder / (std::to_string(i) + ".frag");
+        std::ofstream(file) << sourceOf(all[i].features).text;
+        files += " " + file.string();
+    }
+    const std::string log = (folder / "log").string();
+    EXPECT_EQ(std::system(("glslangValidator" + files + " > " + log + " 2>&1").c_str()), 0)
+        << std::ifstream(log).rdbuf();
+    std::filesystem::remove_all(folder);
+}
+
+void compilesIn(ContextKind kind, const std::vector<Variant>& all) {
+    offscreen(kind);
+    const bool es300 = gl::info().essl300, es = gl::info().es;
+    EXPECT_TRUE(es300);
+    for (const Variant& variant : all) {
+        if (es && !variant.features.es300) continue; // a GLES driver takes GLES text only
+        Problems problems;
+        const ShaderSource source = sourceOf(variant.features);
+        const gl::Program program(buildCanvas(variant.features, problems).text, source.text);
+        EXPECT_TRUE(program.linked()) << variant.name << '\n'
+                                      << toString(mapLog(program.fragmentLog(), source)) << program.linkLog();
+    }
+}
+
+TEST_P(Compile, LinksInOsMesaInBothPreludes) { compilesIn(ContextKind::OsMesa, all); }
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Compile, testing::Values("lite", "pro", "torus"),
+                         [](const auto& test) { return std::string(test.param); });
+
+TEST(CompileOnEgl, LinksEveryVariantOfLiteAndTorus) {
+    for (const char* scene : {"lite", "torus"}) compilesIn(ContextKind::Egl, variants(scene));
+    offscreen(ContextKind::OsMesa);
+}
+
+TEST(Recompile, HappensForNoNumber) {
+    offscreen();
+    Drawing drawing(sceneNamed("torus"), [] {
+        Settings settings;
+        settings.size = {32, 24};
+        return settings;
+    }());
+    const std::string before = drawing.renderer().source();
+    Settings settings;
+    settings.size = {40, 30};
+    settings.depth = 8;
+    settings.colorMode = 0;
+    settings.time = 9;
+    settings.threshold = 0.1;
+    drawing.renderer().configure(settings);
+    Problems problems;
+    EXPECT_EQ(drawing.renderer().poll(problems), ProgramState::Ready) << "at once: nothing was compiled";
+    EXPECT_EQ(drawing.renderer().source(), before);
+}
+
+TEST(Recompile, KeepsTheOldProgramDrawingUntilTheNewOneIsReady) {
+    offscreen();
+    Settings settings;
+    settings.size = {32, 24};
+    Drawing drawing(sceneNamed("torus"), settings);
+    const std::string old = drawing.renderer().source();
+    settings.shadows = ShadowModel::Off;
+    drawing.renderer().configure(settings);
+    EXPECT_TRUE(drawing.renderer().canDraw());
+    EXPECT_EQ(drawing.renderer().source(), old);
+    Problems problems;
+    EXPECT_TRUE(drawing.renderer().finish(problems));
+    EXPECT_NE(drawing.renderer().source(), old);
+}
+
+} // namespace
+} // namespace gnomon

@@ -1,0 +1,63 @@
+#include "tests/support/offscreen.h"
+
+#include "native/asset_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace gnomon::test {
+
+Context& offscreen(ContextKind kind) {
+    static std::unique_ptr<Context> context;
+    static ContextKind current;
+    if (context && current == kind) return *context;
+    context.reset();
+    Problems problems;
+    context = makeContext(kind, problems);
+    current = kind;
+    if (!context) {
+        std::fprintf(stderr, "no %s context, so nothing can be tested: %s\n", std::string(nameOf(kind)).c_str(),
+                     toString(problems).c_str());
+        std::abort();
+    }
+    return *context;
+}
+
+Drawing::Drawing(const Scene& scene, Settings settings) {
+    view = {scene.camera, settings.time, settings.size.x, settings.size.y};
+    if (settings.eye) view.camera.eye = *settings.eye;
+    if (settings.target) view.camera.target = *settings.target;
+    if (settings.fov) view.camera.fov = *settings.fov;
+    Problems problems;
+    const auto assets = AssetFolder(std::string(GNOMON_SOURCE_DIR) + "/assets");
+    if (const auto images = assets.readImages(scene, problems))
+        for (const auto& [name, image] : *images) renderer_.setImage(name, image);
+    renderer_.setScene(scene, problems);
+    renderer_.configure(settings);
+    renderer_.finish(problems);
+    EXPECT_EQ(toString(problems), "");
+}
+
+FloatImage Drawing::output() {
+    Problems problems;
+    FloatImage image = renderer_.readOutput(view, problems);
+    EXPECT_EQ(toString(problems), "");
+    return image;
+}
+
+Image Drawing::picture() {
+    Problems problems;
+    Image image = renderer_.readPicture(view, problems);
+    EXPECT_EQ(toString(problems), "");
+    return image;
+}
+
+FloatImage outputOf(const Scene& scene, Settings settings, Aov aov) {
+    offscreen();
+    settings.aov = aov;
+    return Drawing(scene, settings).output();
+}
+
+} // namespace gnomon::test

@@ -1,0 +1,33 @@
+/// A GL context for a test, and pictures and outputs of scenes drawn in it.
+#pragma once
+
+#include "native/context.h"
+#include "tracer/image.h"
+#include "tracer/render/renderer.h"
+
+#include <memory>
+#include <string>
+
+namespace gnomon::test {
+
+/// One context for the whole test program: making one takes longer than drawing a small picture. Aborts the program,
+/// loudly, where this machine has none of that kind.
+Context& offscreen(ContextKind = ContextKind::OsMesa);
+
+/// A scene by name with its images, ready to draw with `settings`. Fails the running test on any problem.
+class Drawing {
+  public:
+    Drawing(const Scene&, Settings);
+    FloatImage output();  ///< what settings.aov names
+    Image picture();      ///< as a window would show it
+    Renderer& renderer() { return renderer_; }
+    View view;            ///< the scene's camera at settings.time and settings.size
+
+  private:
+    Renderer renderer_;
+};
+
+/// One output of a scene.
+FloatImage outputOf(const Scene&, Settings, Aov);
+
+} // namespace gnomon::test

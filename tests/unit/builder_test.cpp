@@ -1,0 +1,144 @@
+#include "tests/support/scenes.h"
+#include "tracer/shader/library.h"
+#include "tracer/shader/shader_builder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+namespace gnomon {
+namespace {
+
+using test::sceneFrom;
+using test::sceneNamed;
+
+Features features(const Scene& scene, const Settings& settings = {}) { return featuresOf(scene, settings, 1024, true); }
+
+std::string source(const Scene& scene, const Settings& settings = {}) {
+    Problems problems;
+    const std::string text = buildShader("pass/trace.frag", features(scene, settings), problems).text;
+    EXPECT_EQ(toString(problems), "");
+    return text;
+}
+
+bool mentions(std::string text, std::string word) {
+    const auto lower = [](unsigned char c) { return char(std::tolower(c)); };
+    std::ranges::transform(text, text.begin(), lower);
+    std::ranges::transform(word, word.begin(), lower);
+    return text.find(word) != std::string::npos;
+}
+
+TEST(ShaderBuilder, LeavesNoLineAboutToriInLite) { EXPECT_FALSE(mentions(source(sceneNamed("lite")), "torus")); }
+
+TEST(ShaderBuilder, BringsToriIntoProAndTorus) {
+    EXPECT_TRUE(mentions(source(sceneNamed("pro")), "intersectTorus"));
+    EXPECT_TRUE(mentions(source(sceneNamed("torus")), "intersectTorus"));
+}
+
+TEST(ShaderBuilder, LeavesOutEveryShapeAndEffectThatASceneDoesNotUse) {
+    const std::string text = source(sceneFrom(R"({"objects": [{"sphere": {"center": [0, 0, 0], "radius": 1}}]})"));
+    for (const char* word : {"plane", "disc", "triangle", "torus", "fresnel", "stack", "glow", "image", "samplerCube sky",
+                             "normalMap >= 0", "occluded", "refract"})
+        EXPECT_FALSE(mentions(text, word)) << word;
+}
+
+TEST(ShaderBuilder, BringsShadowCodeOnlyWithShadows) {
+    Settings off;
+    off.shadows = ShadowModel::Off;
+    EXPECT_TRUE(mentions(source(sceneNamed("lite")), "occluded"));
+    EXPECT_FALSE(mentions(source(sceneNamed("lite"), off), "occluded"));
+}
+
+TEST(ShaderBuilder, GivesTheSameSourceWhenOnlyNumbersChange) {
+    Scene moved = sceneNamed("lite");
+    moved.objects[1].shape.texels[0] += 1.0;
+    moved.materials[1].diffuse *= 0.5;
+    Settings settings;
+    settings.depth = 7;
+    settings.time = 12;
+    settings.colorMode = 3;
+    EXPECT_EQ(source(sceneNamed("lite")), source(moved, settings));
+}
+
+TEST(ShaderBuilder, KeepsARayStackOnlyWhereASurfaceBothReflectsAndRefracts) {
+    EXPECT_EQ(features(sceneNamed("torus")).rayStack, 0);
+    EXPECT_EQ(features(sceneNamed("lite")).rayStack, 7);
+}
+
+TEST(ShaderBuilder, LeavesNoDirectiveAndNoCommentBehind) {
+    const std::string text = source(sceneNamed("pro"));
+    std::istringstream lines(text);
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_EQ(line, "#version 300 es");
+    while (std::getline(lines, line)) {
+        EXPECT_EQ(line.find('#'), std::string::npos) << line;
+        EXPECT_EQ(line.find('$'), std::string::npos) << line;
+        EXPECT_EQ(line.find("//"), std::string::npos) << line;
+    }
+}
+
+TEST(ShaderBuilder, KnowsWhereEveryLineComesFrom) {
+    Problems problems;
+    const ShaderSource built = buildShader("pass/trace.frag", features(sceneNamed("pro")), problems);
+    std::istringstream lines(built.text);
+    std::string line;
+    std::size_t number = 0;
+    for (; std::getline(lines, line); ++number) {
+        const SourceLine& from = built.lines.at(number);
+        if (from.file == "(generated)" || line.find("Sphere") == std::string::npos) continue;
+        std::istringstream file{std::string(shaderText(from.file))};
+        std::string original;
+        for (int i = 0; i < from.line; ++i) ASSERT_TRUE(std::getline(file, original));
+        // Names may be replaced in the original, but its first word stands.
+        const auto first = line.find_first_not_of(' ');
+        EXPECT_EQ(original.substr(0, first + 1), line.substr(0, first + 1)) << line;
+    }
+    EXPECT_EQ(number, built.lines.size());
+}
+
+TEST(ShaderBuilder, MapsTheLogsOfAllDriversToFilesAndLines) {
+    Problems problems;
+    const ShaderSource built = buildShader("pass/trace.frag", features(sceneNamed("lite")), problems);
+    const auto sphere = std::ranges::find(built.lines, std::string_view("primitive/sphere.glsl"), &SourceLine::file);
+    const std::string number = std::to_string(sphere - built.lines.begin() + 1);
+    for (const std::string& log : {"0:" + number + "(3): error: `x' undeclared", "ERROR: 0:" + number + ": 'x' : undeclared",
+                                   "0(" + number + ") : error C1008: undefined variable"}) {
+        const Problems mapped = mapLog(log, built);
+        ASSERT_EQ(mapped.size(), 1u) << log;
+        EXPECT_EQ(mapped[0].file, "shaders/primitive/sphere.glsl") << log;
+        EXPECT_EQ(mapped[0].line, sphere->line) << log;
+    }
+}
+
+TEST(ShaderBuilder, SaysWhichFileIsMissing) {
+    Problems problems;
+    buildShader("pass/nothing.frag", features(sceneNamed("lite")), problems);
+    ASSERT_EQ(problems.size(), 1u);
+    EXPECT_NE(toString(problems).find("pass/nothing.frag"), std::string::npos);
+}
+
+TEST(ShaderLibrary, HoldsNoPrecisionBelowHighp) {
+    for (const ShaderFile& file : shaderLibrary()) {
+        EXPECT_EQ(file.text.find("mediump"), std::string_view::npos) << file.name;
+        EXPECT_EQ(file.text.find("lowp"), std::string_view::npos) << file.name;
+    }
+}
+
+TEST(ShaderLibrary, BeginsEveryFileWithWhatItIs) {
+    for (const ShaderFile& file : shaderLibrary()) EXPECT_TRUE(file.text.starts_with("// ")) << file.name;
+}
+
+TEST(Features, ChooseABlockWhereTheSceneFitsAndATextureWhereNot) {
+    const Scene lite = sceneNamed("lite");
+    EXPECT_TRUE(featuresOf(lite, {}, 1024, true).dataBlock);
+    EXPECT_FALSE(featuresOf(lite, {}, 16, true).dataBlock);
+    Settings texture;
+    texture.data = DataPath::Texture;
+    EXPECT_FALSE(featuresOf(lite, texture, 1024, true).dataBlock);
+}
+
+} // namespace
+} // namespace gnomon

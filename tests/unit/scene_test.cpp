@@ -1,0 +1,581 @@
+// Scene files: the scenes we ship say what their source says; every bad file gets each of its problems, with its line.
+#include "tracer/scene/read_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <random>
+#include <sstream>
+
+namespace gnomon {
+namespace {
+
+const std::string kScenes = std::string(GNOMON_SOURCE_DIR) + "/assets/scenes/";
+const std::string kBadScenes = std::string(GNOMON_SOURCE_DIR) + "/tests/unit/bad_scenes/";
+
+std::string textOf(const std::string& file) {
+    std::ifstream stream(file, std::ios::binary);
+    EXPECT_TRUE(stream) << file;
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+Scene shipped(const std::string& name) {
+    Problems problems;
+    const std::string file = kScenes + name + ".json";
+    auto scene = readScene(textOf(file), file, problems);
+    EXPECT_TRUE(scene) << toString(problems);
+    return scene.value_or(Scene{});
+}
+
+std::string problemsOf(const std::string& text) {
+    Problems problems;
+    const auto scene = readScene(text, "f", problems);
+    EXPECT_EQ(scene.has_value(), problems.empty());
+    return toString(problems);
+}
+
+/// A scene of the given objects that must be right.
+Scene sceneOf(const std::string& objects) {
+    Problems problems;
+    auto scene = readScene("{\"objects\": [" + objects + "]}", "f", problems);
+    EXPECT_TRUE(scene) << toString(problems);
+    return scene.value_or(Scene{});
+}
+
+int indexOf(const Scene& scene, const std::string& name) {
+    for (std::size_t i = 0; i < scene.objects.size(); ++i)
+        if (scene.objects[i].name == name) return int(i);
+    ADD_FAILURE() << "no object " << name;
+    return 0;
+}
+
+const Object& objectOf(const Scene& scene, const std::string& name) {
+    return scene.objects[std::size_t(indexOf(scene, name))];
+}
+
+const Material& materialOf(const Scene& scene, const std::string& object) {
+    return scene.materials[std::size_t(objectOf(scene, object).material)];
+}
+
+std::map<ShapeKind, int> countsOf(const Scene& scene) {
+    std::map<ShapeKind, int> counts;
+    for (const Object& object : scene.objects) ++counts[object.shape.kind];
+    return counts;
+}
+
+void expectNear(glm::dvec3 value, glm::dvec3 wanted, double tolerance, const std::string& what) {
+    EXPECT_LE(glm::distance(value, wanted), tolerance)
+        << what << ": " << value.x << ' ' << value.y << ' ' << value.z << " instead of " << wanted.x << ' ' << wanted.y
+        << ' ' << wanted.z;
+}
+
+/// Reflectance at normal incidence.
+glm::dvec3 f0(const Conductor& metal) {
+    const glm::dvec3 one(1), k2 = metal.k * metal.k;
+    return ((metal.n - one) * (metal.n - one) + k2) / ((metal.n + one) * (metal.n + one) + k2);
+}
+double f0(double ior) { return (ior - 1) * (ior - 1) / ((ior + 1) * (ior + 1)); }
+
+// ---- lite
+
+TEST(Lite, HasTenSpheresTwoTrianglesADiscAndThreeLights) {
+    const Scene lite = shipped("lite");
+    EXPECT_EQ(countsOf(lite),
+              (std::map<ShapeKind, int>{{ShapeKind::Sphere, 10}, {ShapeKind::Triangle, 2}, {ShapeKind::Disc, 1}}));
+    EXPECT_EQ(lite.lights.size(), 3u);
+}
+
+TEST(Lite, ListsItsObjectsInTheOrderOfItsSource) {
+    std::vector<std::string> names;
+    for (const Object& object : shipped("lite").objects) names.push_back(object.name);
+    EXPECT_EQ(names, (std::vector<std::string>{"sun", "green", "blue", "earth", "moon", "lamp-2", "lamp-3", "red",
+                                               "gold", "glass", "mirror-1", "mirror-2", "ground"}));
+}
+
+TEST(Lite, StandsWhereItsSourceSaysAtAnyTime) {
+    const Scene lite = shipped("lite");
+    for (double t : {0.0, 1.0, 12.5}) {
+        const std::vector<Shape> shapes = shapesAt(lite, t);
+        const auto expectAt = [&](const std::string& name, glm::dvec3 wanted) {
+            expectNear(pointOf(shapes[std::size_t(indexOf(lite, name))], "center"), wanted, 1e-9, name);
+        };
+        const glm::dvec3 earth(5 * std::cos(t / 5), 0, 5 * std::sin(t / 5));
+        expectAt("sun", {0, 0, 0});
+        expectAt("green", {2 * std::sin(t / 2), 0, 2 * std::cos(t / 2)});
+        expectAt("blue", {2.5 * std::cos(t / 3), 0, 2.5 * std::sin(t / 3)});
+        expectAt("earth", earth);
+        expectAt("moon", earth + glm::dvec3(std::cos(2 * t), 0, std::sin(2 * t)));
+        expectAt("lamp-2", {-2, 20, 0});
+        expectAt("lamp-3", {20, 20, 0});
+        expectAt("red", {-1.7, 19.4, -0.3});
+        expectAt("gold", {6, 0, -10});
+        expectAt("glass", {-7, 0, 0});
+        expectAt("ground", {0, -10, 0});
+    }
+}
+
+TEST(Lite, HasTheRadiiOfItsSource) {
+    const Scene lite = shipped("lite");
+    const std::map<std::string, double> radii{{"sun", 1.4},  {"green", 0.26},  {"blue", 0.18},   {"earth", 0.366},
+                                              {"moon", 0.1}, {"lamp-2", 0.05}, {"lamp-3", 0.05}, {"red", 0.3},
+                                              {"gold", 1.4}, {"glass", 1.4},   {"ground", 30}};
+    for (const auto& [name, radius] : radii) EXPECT_EQ(lengthOf(objectOf(lite, name).shape, "radius"), radius) << name;
+}
+
+TEST(Lite, HangsItsMirrorBehindTheScene) {
+    const Scene lite = shipped("lite");
+    const Shape &one = objectOf(lite, "mirror-1").shape, &two = objectOf(lite, "mirror-2").shape;
+    EXPECT_EQ(one.texels, (std::array<glm::dvec4, 3>{{{-14, 14, -14, 0}, {-14, -5, -12, 0}, {14, -5, -12, 0}}}));
+    EXPECT_EQ(two.texels, (std::array<glm::dvec4, 3>{{{-14, 14, -14, 0}, {14, -5, -12, 0}, {14, 14, -14, 0}}}));
+}
+
+TEST(Lite, IsLitByThreeWhiteLightsAndSeenFromThirtyFive) {
+    const Scene lite = shipped("lite");
+    const glm::dvec3 places[] = {{0, 0, 0}, {-2, 20, 0}, {20, 20, 0}};
+    for (std::size_t i = 0; i < 3; ++i) {
+        EXPECT_EQ(std::get<PointLight>(lite.lights[i].shape).position, places[i]);
+        EXPECT_EQ(lite.lights[i].color, glm::dvec3(1));
+    }
+    EXPECT_EQ(lite.camera.eye, glm::dvec3(0, 0, 35));
+    EXPECT_EQ(lite.camera.target, glm::dvec3(0));
+    EXPECT_DOUBLE_EQ(std::tan(glm::radians(lite.camera.fov) / 2), 1.0 / 3) << "a canvas of half height 1 at distance 3";
+}
+
+TEST(Lite, KeepsDisplayValuesAndShowsTheSky) {
+    const Scene lite = shipped("lite");
+    EXPECT_EQ(lite.encoding, Encoding::Display);
+    EXPECT_EQ(lite.background.cubemap, "sky");
+}
+
+TEST(Lite, LetsTheLightsOutOfTheSunAndTheLamps) {
+    for (const Object& object : shipped("lite").objects) {
+        const bool lamp = object.name == "sun" || object.name == "lamp-2" || object.name == "lamp-3";
+        EXPECT_EQ(object.castsShadow, !lamp) << object.name;
+    }
+}
+
+TEST(Lite, HasTheColoursOfItsSource) {
+    struct Row {
+        std::string object;
+        glm::dvec3 ambient, diffuse, specular;
+        double shininess;
+    };
+    const Row rows[] = {
+        {"green", {0, 0.2, 0}, {0, 0.4, 0}, glm::dvec3(0.8), 20},
+        {"blue", {0, 0, 0.2}, {0, 0, 0.4}, glm::dvec3(0.8), 20},
+        {"earth", glm::dvec3(0.5), glm::dvec3(0.5), glm::dvec3(0.5), 30},
+        {"moon", glm::dvec3(0.5), glm::dvec3(0.5), glm::dvec3(0.5), 20},
+        {"lamp-2", glm::dvec3(0.5), {0.8, 0.5, 0.8}, glm::dvec3(0.9), 20},
+        {"lamp-3", glm::dvec3(0.5), {0.8, 0.5, 0.8}, glm::dvec3(0.9), 20},
+        {"red", {0.2, 0, 0}, {0.5, 0, 0}, glm::dvec3(0.8), 66},
+        {"gold", {0, 0, 0}, {0, 0, 0}, {0.628, 0.556, 0.366}, 51.2},
+        {"glass", {0, 0, 0}, {0, 0, 0}, glm::dvec3(0.8), 70},
+        {"mirror-1", {0, 0, 0}, glm::dvec3(0.01), glm::dvec3(0.8), 120},
+        {"ground", {0.03, 0.034, 0.036}, {0.3, 0.34, 0.36}, glm::dvec3(0.8), 60},
+    };
+    const Scene lite = shipped("lite");
+    for (const Row& row : rows) {
+        const Material& material = materialOf(lite, row.object);
+        EXPECT_EQ(material.ambient, row.ambient) << row.object;
+        EXPECT_EQ(material.diffuse, row.diffuse) << row.object;
+        EXPECT_EQ(material.specular, row.specular) << row.object;
+        EXPECT_EQ(material.shininess, row.shininess) << row.object;
+    }
+}
+
+TEST(Lite, ReflectsGoldAndSilverAsTheirComplexIndicesSay) {
+    const Scene lite = shipped("lite");
+    const glm::dvec3 gold = f0(std::get<Conductor>(materialOf(lite, "gold").optics));
+    const glm::dvec3 silver = f0(std::get<Conductor>(materialOf(lite, "mirror-1").optics));
+    const glm::dvec3 goldWanted(0.938, 0.846, 0.391), silverWanted(0.969, 0.904, 0.952);
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_NEAR(gold[i], goldWanted[i], 0.0005) << "channel " << i;
+        EXPECT_NEAR(silver[i], silverWanted[i], 0.0005) << "channel " << i;
+    }
+}
+
+TEST(Lite, BendsLightInTheGlassSphereOnly) {
+    const Scene lite = shipped("lite");
+    for (const Object& object : lite.objects) {
+        const auto* glass = std::get_if<Dielectric>(&lite.materials[std::size_t(object.material)].optics);
+        EXPECT_EQ(glass != nullptr, object.name == "glass") << object.name;
+        if (!glass) continue;
+        EXPECT_NEAR(f0(glass->ior), 0.04, 1e-12);
+    }
+}
+
+TEST(Lite, MakesTheSunShineThroughItsTextureAndGlow) {
+    const Scene lite = shipped("lite");
+    const Material& sun = materialOf(lite, "sun");
+    EXPECT_EQ(sun.emission, glm::dvec3(1, 0.95, 0.85));
+    EXPECT_EQ(sun.ambient + sun.diffuse + sun.specular, glm::dvec3(0));
+    EXPECT_EQ(sun.texture.value().scroll, glm::dvec2(0.2, 0.2));
+    const Glow glow = objectOf(lite, "sun").glow.value();
+    EXPECT_EQ(glow.color, glm::dvec3(1, 0.95, 0.1));
+    EXPECT_EQ(glow.strength, 2);
+    EXPECT_EQ(glow.softness, 0.5);
+}
+
+TEST(Lite, TurnsEarthAndMoonUnderTheirTextures) {
+    const Scene lite = shipped("lite");
+    const Material &earth = materialOf(lite, "earth"), &moon = materialOf(lite, "moon");
+    EXPECT_EQ(earth.texture.value().scroll, glm::dvec2(0.5, 0));
+    EXPECT_EQ(earth.normalMap.value().scroll, glm::dvec2(0.5, 0));
+    EXPECT_NEAR(moon.texture.value().scroll.x, 1.0 / 7, 1e-12);
+    EXPECT_NEAR(moon.normalMap.value().scroll.x, 1.0 / 7, 1e-12);
+    EXPECT_EQ(std::get<Coat>(earth.optics).mask, "earth-water");
+    EXPECT_EQ(materialOf(lite, "ground").texture.value().scale, glm::dvec2(0.15));
+}
+
+TEST(Lite, NamesEveryImageItNeedsOnce) {
+    const std::vector<std::string> images = imagesOf(shipped("lite"));
+    EXPECT_EQ(images, (std::vector<std::string>{"sky-px", "sky-nx", "sky-py", "sky-ny", "sky-pz", "sky-nz", "sun",
+                                                "earth-color", "earth-normal", "earth-water", "moon-color",
+                                                "moon-normal", "grid"}));
+}
+
+// ---- pro
+
+TEST(Pro, BeginsWithAllOfLite) {
+    const Scene lite = shipped("lite"), pro = shipped("pro");
+    ASSERT_GE(pro.objects.size(), lite.objects.size());
+    for (std::size_t i = 0; i < lite.objects.size(); ++i) {
+        EXPECT_EQ(pro.objects[i].name, lite.objects[i].name);
+        EXPECT_EQ(pro.objects[i].shape.texels, lite.objects[i].shape.texels) << lite.objects[i].name;
+        EXPECT_EQ(pro.materials[std::size_t(pro.objects[i].material)].name,
+                  lite.materials[std::size_t(lite.objects[i].material)].name);
+    }
+}
+
+TEST(Pro, AddsAHundredSpheresACubeAndATorus) {
+    EXPECT_EQ(countsOf(shipped("pro")),
+              (std::map<ShapeKind, int>{
+                  {ShapeKind::Sphere, 110}, {ShapeKind::Triangle, 14}, {ShapeKind::Disc, 1}, {ShapeKind::Torus, 1}}));
+}
+
+TEST(Pro, SetsItsMirrorSpheresInRowsOfTen) {
+    const Scene pro = shipped("pro");
+    std::size_t next = 13;
+    for (int i = 10; i < 20; ++i)
+        for (int j = 0; j < 10; ++j, ++next) {
+            const Object& ball = pro.objects[next];
+            EXPECT_EQ(ball.shape.texels[0], glm::dvec4(2 * i - 30, -7, 5 + 2 * j, 0.8));
+            const Material& material = pro.materials[std::size_t(ball.material)];
+            EXPECT_NEAR(f0(std::get<Coat>(material.optics).ior), 0.04, 1e-12);
+        }
+}
+
+std::vector<Shape> cubeOf(const Scene& pro) {
+    std::vector<Shape> triangles;
+    for (const Object& object : pro.objects)
+        if (object.shape.kind == ShapeKind::Triangle &&
+            std::holds_alternative<Dielectric>(pro.materials[std::size_t(object.material)].optics))
+            triangles.push_back(object.shape);
+    return triangles;
+}
+
+TEST(Pro, BuildsItsGlassCubeFromTrianglesThatFaceOutward) {
+    const glm::dvec3 center(10, 0, 0);
+    const std::vector<Shape> cube = cubeOf(shipped("pro"));
+    ASSERT_EQ(cube.size(), 12u);
+    for (const Shape& triangle : cube) {
+        const glm::dvec3 a(triangle.texels[0]), b(triangle.texels[1]), c(triangle.texels[2]);
+        const glm::dvec3 normal = glm::normalize(glm::cross(b - a, c - a));
+        for (glm::dvec3 vertex : {a, b, c}) {
+            EXPECT_EQ(glm::abs(vertex - center), glm::dvec3(2)) << "a corner of the cube";
+            EXPECT_DOUBLE_EQ(glm::dot(normal, vertex - center), 2) << "on the side that the normal points out of";
+        }
+    }
+}
+
+TEST(Pro, ClosesItsGlassCube) {
+    // In a closed, evenly wound surface each directed edge occurs once, and once the other way round.
+    std::map<std::array<double, 6>, int> edges;
+    for (const Shape& triangle : cubeOf(shipped("pro")))
+        for (std::size_t i = 0; i < 3; ++i) {
+            const glm::dvec4 a = triangle.texels[i], b = triangle.texels[(i + 1) % 3];
+            ++edges[{a.x, a.y, a.z, b.x, b.y, b.z}];
+        }
+    EXPECT_EQ(edges.size(), 36u);
+    for (const auto& [e, count] : edges) {
+        EXPECT_EQ(count, 1);
+        EXPECT_EQ(edges.count({e[3], e[4], e[5], e[0], e[1], e[2]}), 1u);
+    }
+}
+
+TEST(Pro, HidesATorusInTheCube) {
+    const Scene pro = shipped("pro");
+    const Shape& torus = objectOf(pro, "torus").shape;
+    EXPECT_EQ(torus.texels[0], glm::dvec4(10, 0, 0, 1));
+    EXPECT_EQ(torus.texels[1], glm::dvec4(0, 0, 1, 0.25));
+    const Material& material = materialOf(pro, "torus");
+    EXPECT_EQ(material.ambient, glm::dvec3(0, 0, 0.4));
+    EXPECT_EQ(material.diffuse, glm::dvec3(0, 0, 0.4));
+    EXPECT_EQ(material.specular, glm::dvec3(0.8));
+    EXPECT_EQ(material.shininess, 30);
+}
+
+// ---- torus
+
+TEST(TorusScene, StandsItsTorusOnTheGround) {
+    const Scene scene = shipped("torus");
+    const Shape& torus = objectOf(scene, "torus").shape;
+    EXPECT_EQ(torus.texels[0], glm::dvec4(0, 0, 0, 1));
+    EXPECT_EQ(lengthOf(torus, "minor_radius"), 0.25);
+    EXPECT_NEAR(glm::length(pointOf(torus, "axis")), 1, 1e-15) << "directions are normalised on reading";
+    EXPECT_EQ(pointOf(objectOf(scene, "ground").shape, "center").y, -1.25);
+}
+
+TEST(ShippedScenes, AllHaveATitleADescriptionAndTheNameOfTheirFile) {
+    for (const char* name : {"lite", "pro", "torus"}) {
+        const Scene scene = shipped(name);
+        EXPECT_EQ(scene.name, name);
+        EXPECT_FALSE(scene.title.empty()) << name;
+        EXPECT_FALSE(scene.description.empty()) << name;
+    }
+}
+
+TEST(Schema, IsTheOneInTheSceneFolder) {
+    EXPECT_EQ(textOf(kScenes + "scene.schema.json"), sceneSchema())
+        << "write it anew: the text on the right is what assets/scenes/scene.schema.json must hold";
+}
+
+// ---- reading
+
+TEST(ReadScene, GivesUnnamedMaterialsAPlainGrey) {
+    const Scene scene = sceneOf(R"({"sphere": {"center": [1, 2, 3], "radius": 4}})");
+    const Material& grey = scene.materials[std::size_t(scene.objects[0].material)];
+    EXPECT_EQ(grey.diffuse, glm::dvec3(0.5));
+    EXPECT_EQ(grey.ambient, glm::dvec3(0.1));
+}
+
+TEST(ReadScene, NormalisesDirectionsHoweverShort) {
+    const Scene scene = sceneOf(R"({"plane": {"point": [0, 1, 0], "normal": [0, 3e-200, 4e-200]}})");
+    expectNear(pointOf(scene.objects[0].shape, "normal"), {0, 0.6, 0.8}, 1e-12, "normal");
+}
+
+TEST(ReadScene, TakesOneNumberForAllChannelsAndBothTextureAxes) {
+    Problems problems;
+    const auto scene = readScene(
+        R"({"materials": {"m": {"diffuse": 0.25, "texture": {"image": "grid", "scale": 3}, "normal_map": "bumps"}},
+        "objects": [{"disc": {"center": [0, 0, 0], "normal": [0, 1, 0], "radius": 1}, "material": "m"}]})",
+        "f", problems);
+    ASSERT_TRUE(scene) << toString(problems);
+    const Material& material = scene->materials[1];
+    EXPECT_EQ(material.diffuse, glm::dvec3(0.25));
+    EXPECT_EQ(material.texture.value().scale, glm::dvec2(3));
+    EXPECT_EQ(material.normalMap.value().image, "bumps");
+}
+
+TEST(ReadScene, RemembersTheLineOfEachObject) {
+    const Scene scene = sceneOf("\n{\"sphere\": {\"center\": [0, 0, 0], \"radius\": 1}},\n\n"
+                                "{\"sphere\": {\"center\": [0, 0, 0], \"radius\": 1}}");
+    EXPECT_EQ(scene.objects[0].line, 2);
+    EXPECT_EQ(scene.objects[1].line, 4);
+}
+
+TEST(ReadScene, AcceptsCommentsAByteOrderMarkAndWindowsLineEnds) {
+    EXPECT_EQ(problemsOf("\xEF\xBB\xBF// one\r\n{ /* two\r\n */ \"objects\":\r\n"
+                         "[{\"sphere\": {\"center\": [0, 0, 0], \"radius\": 1}}]}\r\n"),
+              "");
+}
+
+TEST(ReadScene, CountsLinesWithWindowsLineEnds) {
+    EXPECT_EQ(problemsOf("{\r\n\"objects\": [{\r\n\"sphere\": {\"center\": [0, 0, 0], \"radius\":\r\n-1\r\n}}]}"),
+              "f:4: objects[0].sphere.radius: -1 is outside the limits; use a number from 1e-06 to 1000000\n");
+}
+
+TEST(ReadScene, AcceptsTheLimitsThemselves) {
+    EXPECT_EQ(problemsOf(R"({"camera": {"eye": [1e6, -1e6, 0], "fov": 170},
+        "objects": [{"sphere": {"center": [0, 0, 1000000], "radius": 1e6}}, {"sphere": {"center": [0, 0, 0], "radius": 1e-6}}]})"),
+              "");
+}
+
+TEST(ReadScene, RefusesAnEmptyText) {
+    EXPECT_EQ(problemsOf(""), "f:1: the file is empty; write a scene: {\"objects\": [ ... ]}\n");
+}
+
+TEST(ReadScene, RefusesAZeroByteInsteadOfStoppingThere) {
+    EXPECT_EQ(problemsOf(std::string("{\n\0}", 4)),
+              "f:2: the file holds a zero byte: it is not a text file; save it as UTF-8\n");
+}
+
+TEST(ReadScene, RefusesBrokenUtf8) {
+    EXPECT_EQ(problemsOf("{\n\"title\": \"\xff\"}"), "f:2: a string is not valid UTF-8; save the file as UTF-8\n");
+}
+
+TEST(ReadScene, RefusesAFileThatIsTooLarge) {
+    EXPECT_EQ(problemsOf(std::string((4 << 20) + 1, ' ')),
+              "f: the file has 4194305 bytes; at most 4194304 are read; use a smaller scene\n");
+}
+
+TEST(ReadScene, SurvivesAFileOfBrackets) {
+    EXPECT_EQ(problemsOf(std::string(4 << 20, '[')),
+              "f:1: lists and objects are nested deeper than 64 levels; remove brackets that are too many\n");
+}
+
+TEST(ReadScene, RefusesTooManyValues) {
+    std::string text = "[";
+    for (int i = 0; i < 1000001; ++i) text += "0,";
+    EXPECT_EQ(problemsOf(text + "0]"), "f:1: the file holds more than 1000000 values; use a smaller scene\n");
+}
+
+TEST(ReadScene, RefusesTooManyObjects) {
+    std::string text = "{\"objects\": [";
+    for (int i = 0; i < 20001; ++i) text += std::string(i ? "," : "") + R"({"sphere":{"center":[0,0,0],"radius":1}})";
+    EXPECT_EQ(problemsOf(text + "]}"), "f:1: objects: 20001 entries; use 1 to 20000 entries\n");
+}
+
+TEST(ReadScene, StaysQuickWhereEverythingIsWrong) {
+    std::string text = "{\"objects\": [";
+    for (int i = 0; i < 20000; ++i)
+        text += std::string(i ? "," : "") + R"({"name":"n)" + std::to_string(i) +
+                R"(","sphere":{"center":[0,0,0],"radius":1},)" + R"("motion":{"orbit":{"around":"m)" +
+                std::to_string(i) + R"("}}})";
+    Problems problems;
+    EXPECT_FALSE(readScene(text + "]}", "f", problems));
+    EXPECT_EQ(problems.size(), 20000u);
+}
+
+// ---- bad files
+
+struct Expected {
+    int line;
+    std::string text;
+};
+
+/// Each `//! LINE: TEXT` in the file promises one problem at that line whose message holds the text.
+std::vector<Expected> promisesIn(const std::string& text) {
+    std::vector<Expected> all;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        if (line.rfind("//! ", 0) != 0) continue;
+        const std::size_t colon = line.find(": ");
+        all.push_back({std::stoi(line.substr(4)), line.substr(colon + 2)});
+    }
+    return all;
+}
+
+std::vector<std::string> badScenes() {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(kBadScenes))
+        names.push_back(entry.path().stem().string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+class BadScene : public testing::TestWithParam<std::string> {};
+
+TEST_P(BadScene, GetsExactlyItsProblemsWithTheirLines) {
+    const std::string file = kBadScenes + GetParam() + ".json", text = textOf(file);
+    Problems problems;
+    EXPECT_FALSE(readScene(text, file, problems)) << "nothing is drawn from a bad file";
+    const std::vector<Expected> promises = promisesIn(text);
+    EXPECT_FALSE(promises.empty());
+    for (const Expected& promise : promises) {
+        const auto found = std::find_if(problems.begin(), problems.end(), [&](const Problem& problem) {
+            return problem.line == promise.line && toString(problem).find(promise.text) != std::string::npos;
+        });
+        if (found == problems.end())
+            ADD_FAILURE() << "missing: line " << promise.line << ": " << promise.text;
+        else
+            problems.erase(found);
+    }
+    EXPECT_EQ(toString(problems), "") << "not expected";
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, BadScene, testing::ValuesIn(badScenes()), [](const auto& test) { return test.param; });
+
+TEST(BadScenes, AreAtLeastFortyFive) { EXPECT_GE(badScenes().size(), 45u); }
+
+TEST(BadScenes, WithFiveDifferentProblemsGetAllFive) {
+    const std::string file = kBadScenes + "five_problems.json";
+    Problems problems;
+    readScene(textOf(file), file, problems);
+    EXPECT_EQ(problems.size(), 5u) << toString(problems);
+}
+
+/// Either a scene or problems, never neither, and every problem inside the file.
+void expectAnAnswer(const std::string& text) {
+    Problems problems;
+    const auto scene = readScene(text, "mutant.json", problems);
+    ASSERT_EQ(scene.has_value(), problems.empty()) << text;
+    const int lines = 1 + int(std::count(text.begin(), text.end(), '\n'));
+    for (const Problem& problem : problems)
+        ASSERT_TRUE(problem.line <= lines && !problem.what.empty()) << toString(problem);
+    if (scene) shapesAt(*scene, 1.5);
+}
+
+TEST(MutatedScenes, AreAnsweredWhateverTheirBytes) {
+    const std::string original = textOf(kScenes + "lite.json");
+    const std::string spice = "{}[]\",:0123456789.-+eE/*\\ntfau\n \xff\x80";
+    std::mt19937 random(20240229); // its sequence is the same everywhere; the distributions' are not
+    for (int round = 0; round < 4000; ++round) {
+        std::string text = original;
+        for (unsigned changes = 1 + random() % 4; changes > 0; --changes) {
+            const std::size_t at = random() % text.size();
+            switch (random() % 5) {
+            case 0: text[at] = char(random()); break;
+            case 1: text[at] = spice[random() % spice.size()]; break;
+            case 2: text.erase(at, 1 + random() % 20); break;
+            case 3: text.insert(at, 1, spice[random() % spice.size()]); break;
+            default: text.insert(at, text.substr(random() % text.size(), 1 + random() % 40)); break;
+            }
+        }
+        expectAnAnswer(text);
+    }
+}
+
+TEST(MutatedScenes, AreAnsweredWhereverTheyEnd) {
+    const std::string original = textOf(kScenes + "torus.json");
+    for (std::size_t end = 0; end <= original.size(); ++end) expectAnAnswer(original.substr(0, end));
+}
+
+// ---- motion
+
+TEST(ShapesAt, FollowsCentresThatTheFileNamesLater) {
+    const std::string sphere = R"("sphere": {"center": [1, 0, 0], "radius": 1})";
+    const Scene scene =
+        sceneOf("{\"name\": \"c\", " + sphere + R"(, "motion": {"orbit": {"cos": [0, 3, 0], "around": "b"}}},)" +
+                "{\"name\": \"b\", " + sphere + R"(, "motion": {"orbit": {"sin": [0, 2, 0], "around": "a"}}},)" +
+                "{\"name\": \"a\", " + sphere + R"(, "motion": {"orbit": {"cos": [0, 0, 5], "rate": 2}}})");
+    const double t = 0.7;
+    expectNear(pointOf(shapesAt(scene, t)[0], "center"), {3, 3 * std::cos(t) + 2 * std::sin(t), 5 * std::cos(2 * t)},
+               1e-12, "c");
+}
+
+TEST(ShapesAt, MovesAroundTheReferencePointOfAnyShape) {
+    const Scene scene = sceneOf(R"({"name": "t", "triangle": {"vertices": [[1, 2, 3], [2, 2, 3], [1, 3, 3]]}},
+                                   {"sphere": {"center": [0, 0, 1], "radius": 1}, "motion": {"orbit": {"around": "t"}}})");
+    EXPECT_EQ(pointOf(shapesAt(scene, 9)[1], "center"), glm::dvec3(1, 2, 4));
+}
+
+TEST(ShapesAt, WalksLongChainsWithoutRecursion) {
+    Scene scene;
+    const int count = 200000;
+    for (int i = 0; i < count; ++i) {
+        Object object;
+        object.shape.texels[0] = glm::dvec4(1, 0, 0, 1);
+        if (i + 1 < count) object.motion = Orbit{{}, {}, 1, i + 1};
+        scene.objects.push_back(object);
+    }
+    EXPECT_EQ(pointOf(shapesAt(scene, 0)[0], "center").x, count);
+}
+
+TEST(ShapesAt, EndsOnACircle) {
+    Scene scene;
+    scene.objects.resize(2);
+    scene.objects[0].motion = Orbit{{}, {}, 1, 1};
+    scene.objects[1].motion = Orbit{{}, {}, 1, 0};
+    EXPECT_EQ(shapesAt(scene, 0).size(), 2u);
+}
+
+} // namespace
+} // namespace gnomon

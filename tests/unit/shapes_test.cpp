@@ -1,0 +1,90 @@
+// The shape table: rows agree with the enum and the texels, and shapes can be read back and moved through it.
+#include "tracer/scene/shapes.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+namespace gnomon {
+namespace {
+
+Shape torus(double major, double minor) {
+    return {ShapeKind::Torus, {glm::dvec4(1, 2, 3, major), glm::dvec4(0, 1, 0, minor), glm::dvec4(0)}};
+}
+
+Shape triangle(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
+    return {ShapeKind::Triangle, {glm::dvec4(a, 0), glm::dvec4(b, 0), glm::dvec4(c, 0)}};
+}
+
+bool accepts(const Shape& shape) { return shapeRow(shape.kind).check(shape)[0].empty(); }
+
+TEST(ShapeTable, IsInTheOrderOfItsKinds) {
+    ASSERT_EQ(shapeTable().size(), std::size_t(kShapeKinds));
+    for (std::size_t i = 0; i < shapeTable().size(); ++i) EXPECT_EQ(std::size_t(shapeTable()[i].kind), i);
+}
+
+TEST(ShapeTable, NamesEachShapeOnce) {
+    std::set<std::string_view> keys, types;
+    for (const ShapeRow& row : shapeTable())
+        EXPECT_TRUE(keys.insert(row.key).second && types.insert(row.type).second) << row.key;
+}
+
+TEST(ShapeTable, PutsNoTwoFieldsInOneComponent) {
+    for (const ShapeRow& row : shapeTable()) {
+        std::set<int> taken;
+        for (const ShapeField& field : row.fields) {
+            const int texels = field.type == FieldType::Vertices ? 3 : 1,
+                      components = field.type == FieldType::Length ? 1 : 3;
+            for (int texel = 0; texel < texels; ++texel)
+                for (int i = 0; i < components; ++i)
+                    EXPECT_TRUE(taken.insert(4 * (field.texel + texel) + field.component + i).second)
+                        << row.key << field.key;
+            EXPECT_LE(field.texel + texels, row.texels) << row.key;
+            EXPECT_LE(field.component + components, 4) << row.key;
+        }
+        EXPECT_LE(row.texels, kMaxShapeTexels) << row.key;
+    }
+}
+
+TEST(Shape, GivesItsFieldsBack) {
+    const Shape shape = torus(2, 0.5);
+    EXPECT_EQ(pointOf(shape, "center"), glm::dvec3(1, 2, 3));
+    EXPECT_EQ(pointOf(shape, "axis"), glm::dvec3(0, 1, 0));
+    EXPECT_EQ(lengthOf(shape, "major_radius"), 2);
+    EXPECT_EQ(lengthOf(shape, "minor_radius"), 0.5);
+}
+
+TEST(Shape, MovesItsPointsButNeitherDirectionsNorLengths) {
+    const Shape moved = translated(torus(2, 0.5), {10, 20, 30});
+    EXPECT_EQ(moved.texels[0], glm::dvec4(11, 22, 33, 2));
+    EXPECT_EQ(moved.texels[1], glm::dvec4(0, 1, 0, 0.5));
+}
+
+TEST(Shape, MovesAllVerticesOfATriangle) {
+    const Shape moved = translated(triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), {0, 0, 5});
+    EXPECT_EQ(moved.texels[0], glm::dvec4(0, 0, 5, 0));
+    EXPECT_EQ(moved.texels[1], glm::dvec4(1, 0, 5, 0));
+    EXPECT_EQ(moved.texels[2], glm::dvec4(0, 1, 5, 0));
+}
+
+TEST(Shape, IsStoodForByItsFirstPoint) {
+    EXPECT_EQ(referencePoint(torus(2, 0.5)), glm::dvec3(1, 2, 3));
+    EXPECT_EQ(referencePoint(triangle({4, 5, 6}, {1, 0, 0}, {0, 1, 0})), glm::dvec3(4, 5, 6));
+}
+
+TEST(Torus, NeedsAHole) {
+    EXPECT_TRUE(accepts(torus(1, 0.999)));
+    EXPECT_FALSE(accepts(torus(1, 1)));
+    EXPECT_FALSE(accepts(torus(1, 1 - 1e-9))) << "equal in float32";
+    EXPECT_FALSE(accepts(torus(1, 2)));
+}
+
+TEST(Triangle, NeedsAnAreaThatFloatsCanTell) {
+    EXPECT_TRUE(accepts(triangle({0, 0, 0}, {1, 0, 0}, {0, 1e-3, 0})));
+    EXPECT_TRUE(accepts(triangle({0, 0, 0}, {1e-5, 0, 0}, {0, 1e-5, 0}))) << "small is not flat";
+    EXPECT_FALSE(accepts(triangle({0, 0, 0}, {0, 0, 0}, {0, 1, 0})));
+    EXPECT_FALSE(accepts(triangle({1e6, 0, 0}, {1e6 + 0.01, 0, 0}, {1e6, 0.01, 0}))) << "two vertices are one float";
+}
+
+} // namespace
+} // namespace gnomon

@@ -1,0 +1,191 @@
+#include "tracer/gl/objects.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon::gl {
+namespace detail {
+void deleteTexture(GLuint name) { glDeleteTextures(1, &name); }
+void deleteBuffer(GLuint name) { glDeleteBuffers(1, &name); }
+void deleteFramebuffer(GLuint name) { glDeleteFramebuffers(1, &name); }
+void deleteVertexArray(GLuint name) { glDeleteVertexArrays(1, &name); }
+void deleteProgram(GLuint name) { glDeleteProgram(name); }
+void deleteShader(GLuint name) { glDeleteShader(name); }
+} // namespace detail
+
+namespace {
+
+constexpr GLenum kCompletionStatus = 0x91B1; // GL_COMPLETION_STATUS_KHR, the same in the ARB extension and in WebGL
+
+float toLinear(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
+float toSrgb(float c) { return c <= 0.0031308f ? c * 12.92f : 1.055f * std::pow(c, 1 / 2.4f) - 0.055f; }
+
+/// Half the size by averages of 2 x 2 texels; light is averaged as light, alpha and data as they are.
+Image halved(const Image& image, Texels texels) {
+    Image half{std::max(image.width / 2, 1), std::max(image.height / 2, 1), {}};
+    half.rgba.resize(std::size_t(half.width) * half.height * 4);
+    const auto at = [&](int x, int y, int c) {
+        const int cx = std::min(x, image.width - 1), cy = std::min(y, image.height - 1);
+        return image.rgba[(std::size_t(cy) * image.width + cx) * 4 + c];
+    };
+    std::array<float, 256> decode;
+    for (int i = 0; i < 256; ++i) decode[i] = texels == Texels::Srgb ? toLinear(float(i) / 255) : float(i) / 255;
+    for (int y = 0; y < half.height; ++y)
+        for (int x = 0; x < half.width; ++x)
+            for (int c = 0; c < 4; ++c) {
+                const int x2 = 2 * x, y2 = 2 * y;
+                const auto value = [&](int dx, int dy) {
+                    const auto byte = at(x2 + dx, y2 + dy, c);
+                    return c == 3 ? float(byte) / 255 : decode[byte];
+                };
+                const float mean = (value(0, 0) + value(1, 0) + value(0, 1) + value(1, 1)) / 4;
+                const float coded = texels == Texels::Srgb && c != 3 ? toSrgb(mean) : mean;
+                half.rgba[(std::size_t(y) * half.width + x) * 4 + c] = std::uint8_t(std::lround(coded * 255));
+            }
+    return half;
+}
+
+void uploadLevels(GLenum target, Image image, Texels texels) {
+    const GLint format = texels == Texels::Srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8;
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    for (int level = 0;; ++level) {
+        glTexImage2D(target, level, format, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+        if (image.width == 1 && image.height == 1) return;
+        image = halved(image, texels);
+    }
+}
+
+Texture makeTexture(GLenum target, GLint minify, GLint magnify, GLint wrap) {
+    GLuint name = 0;
+    glGenTextures(1, &name);
+    glBindTexture(target, name);
+    glTexParameteri(target, GL_TEXTURE_MIN_FILTER, minify);
+    glTexParameteri(target, GL_TEXTURE_MAG_FILTER, magnify);
+    glTexParameteri(target, GL_TEXTURE_WRAP_S, wrap);
+    glTexParameteri(target, GL_TEXTURE_WRAP_T, wrap);
+    return Texture(name);
+}
+
+ShaderName compile(GLenum type, const std::string& source) {
+    ShaderName shader(glCreateShader(type));
+    const char* text = source.c_str();
+    glShaderSource(shader.get(), 1, &text, nullptr);
+    glCompileShader(shader.get());
+    return shader;
+}
+
+std::string shaderLog(GLuint shader) {
+    GLint length = 0;
+    glGetShaderiv(shader, GL_INFO_LOG_LENGTH, &length);
+    std::string log(std::size_t(std::max(length, 1)), '\0');
+    glGetShaderInfoLog(shader, length, &length, log.data());
+    log.resize(std::size_t(std::max(length, 0)));
+    return log;
+}
+
+} // namespace
+
+VertexArray makeVertexArray() {
+    GLuint name = 0;
+    glGenVertexArrays(1, &name);
+    return VertexArray(name);
+}
+
+Buffer makeUniformBuffer() {
+    GLuint name = 0;
+    glGenBuffers(1, &name);
+    return Buffer(name);
+}
+
+Texture makeImage(const Image& image, Texels texels) {
+    Texture texture = makeTexture(GL_TEXTURE_2D, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT);
+    uploadLevels(GL_TEXTURE_2D, image, texels);
+    return texture;
+}
+
+Texture makeCubemap(const std::vector<Image>& faces, Texels texels) {
+    Texture texture = makeTexture(GL_TEXTURE_CUBE_MAP, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE);
+    for (std::size_t i = 0; i < faces.size(); ++i)
+        uploadLevels(GL_TEXTURE_CUBE_MAP_POSITIVE_X + GLenum(i), faces[i], texels);
+    return texture;
+}
+
+Texture makeDataTexture(int width, int height) {
+    Texture texture = makeTexture(GL_TEXTURE_2D, GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, width, height, 0, GL_RGBA, GL_FLOAT, nullptr);
+    return texture;
+}
+
+Target makeTarget(int width, int height, GLenum format) {
+    Target target;
+    target.color = makeTexture(GL_TEXTURE_2D, GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE);
+    if (format == GL_RGBA32F) { // not filterable everywhere
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    }
+    glTexImage2D(GL_TEXTURE_2D, 0, GLint(format), width, height, 0, GL_RGBA,
+                 format == GL_RGBA32F ? GL_FLOAT : GL_UNSIGNED_BYTE, nullptr);
+    GLuint framebuffer = 0;
+    glGenFramebuffers(1, &framebuffer);
+    target.framebuffer = Framebuffer(framebuffer);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.color.get(), 0);
+    const bool complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    if (!complete) return {};
+    target.width = width;
+    target.height = height;
+    target.format = format;
+    return target;
+}
+
+Program::Program(const std::string& vertex, const std::string& fragment)
+    : vertex_(compile(GL_VERTEX_SHADER, vertex)), fragment_(compile(GL_FRAGMENT_SHADER, fragment)),
+      program_(glCreateProgram()) {
+    glAttachShader(program_.get(), vertex_.get());
+    glAttachShader(program_.get(), fragment_.get());
+    glLinkProgram(program_.get());
+}
+
+bool Program::finished(bool pollable) const {
+    if (!pollable) return true;
+    GLint done = GL_FALSE;
+    glGetProgramiv(program_.get(), kCompletionStatus, &done);
+    return done != GL_FALSE;
+}
+
+bool Program::linked() const {
+    GLint linked = GL_FALSE;
+    glGetProgramiv(program_.get(), GL_LINK_STATUS, &linked);
+    return linked != GL_FALSE;
+}
+
+std::string Program::vertexLog() const { return shaderLog(vertex_.get()); }
+std::string Program::fragmentLog() const { return shaderLog(fragment_.get()); }
+
+std::string Program::linkLog() const {
+    GLint length = 0;
+    glGetProgramiv(program_.get(), GL_INFO_LOG_LENGTH, &length);
+    std::string log(std::size_t(std::max(length, 1)), '\0');
+    glGetProgramInfoLog(program_.get(), length, &length, log.data());
+    log.resize(std::size_t(std::max(length, 0)));
+    return log;
+}
+
+void Program::bindBlock(const char* block, GLuint binding) const {
+    const GLuint index = glGetUniformBlockIndex(program_.get(), block);
+    if (index != GL_INVALID_INDEX) glUniformBlockBinding(program_.get(), index, binding);
+}
+
+void Program::bindSampler(const char* sampler, GLint unit) const {
+    const GLint location = glGetUniformLocation(program_.get(), sampler);
+    if (location >= 0) glUniform1i(location, unit);
+}
+
+void Program::forget() {
+    vertex_.forget();
+    fragment_.forget();
+    program_.forget();
+}
+
+} // namespace gnomon::gl

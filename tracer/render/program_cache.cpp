@@ -1,0 +1,81 @@
+#include "tracer/render/program_cache.h"
+
+#include <chrono>
+
+namespace gnomon {
+namespace {
+
+double seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Why the program did not link, in the words of the driver and the places of the library.
+void explain(const CachedProgram& entry, Problems& problems) {
+    Problems found = mapLog(entry.program.fragmentLog(), entry.source);
+    if (found.empty()) found = mapLog(entry.program.linkLog() + entry.program.vertexLog(), {});
+    if (found.empty()) found.push_back({"shaders", 0, {}, "the driver refuses the program without a reason", {}});
+    problems.insert(problems.end(), found.begin(), found.end());
+}
+
+/// Uniform blocks and samplers keep their places for the program's life.
+void bindInterface(const CachedProgram& entry) {
+    const gl::Program& program = entry.program;
+    glUseProgram(program.get());
+    program.bindBlock("Frame", kFrameBinding);
+    program.bindBlock("SceneBlock", kSceneBinding);
+    program.bindSampler("sceneData", kDataUnit);
+    program.bindSampler("sky", kSkyUnit);
+    for (int i = 0; i < entry.features.images; ++i)
+        program.bindSampler(("image" + std::to_string(i)).c_str(), kFirstImageUnit + i);
+}
+
+} // namespace
+
+std::shared_ptr<CachedProgram> ProgramCache::get(const Features& features, Problems& problems) {
+    const double start = seconds();
+    Problems faults;
+    ShaderSource source = buildShader("pass/trace.frag", features, faults);
+    const ShaderSource canvas = buildCanvas(features, faults);
+    if (!faults.empty()) {
+        problems.insert(problems.end(), faults.begin(), faults.end());
+        return nullptr;
+    }
+    std::shared_ptr<CachedProgram>& entry = programs_[source.text];
+    if (entry) return entry;
+    entry = std::make_shared<CachedProgram>();
+    entry->features = features;
+    entry->stats.sourceBytes = source.text.size();
+    entry->started = seconds();
+    entry->stats.buildMs = (entry->started - start) * 1e3;
+    entry->program = gl::Program(canvas.text, source.text);
+    entry->source = std::move(source);
+    return entry;
+}
+
+ProgramState ProgramCache::poll(CachedProgram& entry, const std::function<void()>& warmUp, Problems& problems) {
+    if (entry.state != ProgramState::Compiling) return entry.state;
+    if (!entry.drawn) {
+        if (!entry.program.finished(pollable_)) return entry.state;
+        if (!entry.program.linked()) {
+            explain(entry, problems);
+            return entry.state = ProgramState::Failed;
+        }
+        bindInterface(entry);
+        warmUp();
+        entry.drawn = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+        glFlush();
+    }
+    const GLenum waited = glClientWaitSync(entry.drawn, GL_SYNC_FLUSH_COMMANDS_BIT, 0);
+    if (waited == GL_TIMEOUT_EXPIRED) return entry.state;
+    glDeleteSync(entry.drawn);
+    entry.drawn = nullptr;
+    entry.stats.compileMs = (seconds() - entry.started) * 1e3;
+    return entry.state = ProgramState::Ready;
+}
+
+void ProgramCache::forget() {
+    for (auto& [text, entry] : programs_) entry->program.forget();
+    programs_.clear();
+}
+
+} // namespace gnomon

@@ -1,0 +1,48 @@
+/// Compiled programs by their source: each is built once, in the background where the GL can, and kept.
+#pragma once
+
+#include "tracer/gl/objects.h"
+#include "tracer/render/renderer.h"
+#include "tracer/shader/shader_builder.h"
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+namespace gnomon {
+
+/// Binding points and texture units that all programs use.
+inline constexpr GLuint kFrameBinding = 0, kSceneBinding = 1;
+inline constexpr int kDataUnit = 0, kSkyUnit = 1, kFirstImageUnit = 2;
+
+/// One specialised program and what it took to make.
+struct CachedProgram {
+    Features features;
+    ShaderSource source;
+    gl::Program program;
+    ProgramState state = ProgramState::Compiling;
+    ProgramStats stats;
+    double started = 0;     ///< seconds, monotonic clock
+    GLsync drawn = nullptr; ///< signalled when the first draw is done
+};
+
+class ProgramCache {
+  public:
+    explicit ProgramCache(bool pollable) : pollable_(pollable) {}
+
+    /// The program for the features, begun where it is new. Null, with problems, where the library itself is at fault.
+    std::shared_ptr<CachedProgram> get(const Features&, Problems&);
+
+    /// Lets the program go on. `warmUp` draws one pixel with it: some drivers compile at the first draw, not at link.
+    ProgramState poll(CachedProgram&, const std::function<void()>& warmUp, Problems&);
+
+    /// Forgets all programs without touching GL.
+    void forget();
+
+  private:
+    bool pollable_;
+    std::map<std::string, std::shared_ptr<CachedProgram>> programs_;
+};
+
+} // namespace gnomon

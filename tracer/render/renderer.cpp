@@ -1,0 +1,405 @@
+#include "tracer/render/renderer.h"
+
+#include "tracer/gl/objects.h"
+#include "tracer/render/program_cache.h"
+#include "tracer/render/scene_data.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <map>
+#include <thread>
+
+namespace gnomon {
+namespace {
+
+constexpr int kDataWidth = 256; // texels a row of the data texture, as shaders/scene.glsl reads it
+constexpr GLenum kSeamlessCubemap = 0x884F; // GL_TEXTURE_CUBE_MAP_SEAMLESS: always on in GLES, unknown to its header
+
+/// shaders/frame.glsl, in std140.
+struct FrameBlock {
+    glm::vec4 eye, right, up, forward, background, cone, options, canvas;
+    glm::ivec4 limits, channels;
+    glm::uvec4 zero;
+};
+
+FrameBlock frameBlock(const View& view, const Scene& scene, const Settings& settings, bool encode) {
+    const CameraFrame camera = frameOf(view.camera);
+    const double aspect = double(view.width) / view.height;
+    const std::string_view channels = colorModes()[std::size_t(settings.colorMode)];
+    const auto channel = [&](std::size_t i) { return int(std::string_view("rgb").find(channels[i])); };
+    FrameBlock block{};
+    block.eye = glm::vec4(camera.eye, 0);
+    block.right = glm::vec4(camera.right * camera.halfHeight * aspect, 0);
+    block.up = glm::vec4(camera.up * camera.halfHeight, 0);
+    block.forward = glm::vec4(camera.forward, 0);
+    block.background = glm::vec4(scene.background.color, 1);
+    block.cone.x = float(2 * camera.halfHeight / view.height);
+    block.options.x = float(settings.threshold);
+    block.canvas = glm::vec4(view.width, view.height, 0, 0);
+    block.limits = glm::ivec4(settings.depth, settings.light, encode, 0);
+    block.channels = glm::ivec4(channel(0), channel(1), channel(2), 0);
+    return block;
+}
+
+Image flat(std::uint8_t r, std::uint8_t g, std::uint8_t b) { return {1, 1, {r, g, b, 255}}; }
+
+bool usedAsNormalMap(const Scene& scene, const std::string& image) {
+    return std::ranges::any_of(scene.materials,
+                               [&](const Material& m) { return m.normalMap && m.normalMap->image == image; });
+}
+
+bool usedAsColor(const Scene& scene, const std::string& image) {
+    return std::ranges::any_of(scene.materials, [&](const Material& m) { return m.texture && m.texture->image == image; });
+}
+
+std::vector<std::string> facesOf(const Scene& scene) {
+    std::vector<std::string> faces;
+    if (scene.background.cubemap.empty()) return faces;
+    for (const char* side : {"-px", "-nx", "-py", "-ny", "-pz", "-nz"}) faces.push_back(scene.background.cubemap + side);
+    return faces;
+}
+
+/// A scene with its images on the GPU. Scenes that follow one another do not share textures: the old one draws on until
+/// the new one's program is ready.
+struct LoadedScene {
+    Scene scene;
+    std::vector<std::string> slots, faces;
+    std::vector<gl::Texture> images;
+    gl::Texture sky;
+};
+
+} // namespace
+
+struct Renderer::Impl {
+    gl::Info info = gl::info();
+    std::map<std::string, Image> pictures; // kept, so that a lost context can be filled again
+    Settings settings;
+    ProgramCache programs{info.parallelCompile};
+    gl::VertexArray vertexArray;
+    gl::Buffer frameBuffer, sceneBuffer;
+    gl::Texture sceneTexture;
+    int sceneRows = 0;
+    gl::Target scaled, output, warm;
+
+    std::shared_ptr<LoadedScene> wantedScene, drawnScene;
+    std::shared_ptr<CachedProgram> wanted, drawn;
+    Settings drawnSettings;
+    Problems pending; // found while choosing a program, told by the next poll()
+
+    Impl() { makeObjects(); }
+
+    void makeObjects() {
+        vertexArray = gl::makeVertexArray();
+        frameBuffer = gl::makeUniformBuffer();
+        sceneBuffer = gl::makeUniformBuffer();
+        glBindVertexArray(vertexArray.get());
+        glDisable(GL_DEPTH_TEST);
+        glDisable(GL_BLEND);
+        if (!info.es) glEnable(kSeamlessCubemap);
+        warm = gl::makeTarget(1, 1, GL_RGBA8);
+    }
+
+    // --- images -----------------------------------------------------------------------------------------------------
+
+    gl::Texels coding(const Scene& scene, bool color) const {
+        return scene.encoding == Encoding::Linear && color ? gl::Texels::Srgb : gl::Texels::Display;
+    }
+
+    void uploadImage(LoadedScene& loaded, std::size_t slot) {
+        const std::string& name = loaded.slots[slot];
+        const auto found = pictures.find(name);
+        const bool color = usedAsColor(loaded.scene, name);
+        const Image standIn = usedAsNormalMap(loaded.scene, name) ? flat(128, 128, 255)
+                                                                  : (color ? flat(128, 128, 128) : flat(0, 0, 0));
+        loaded.images[slot] = gl::makeImage(found == pictures.end() ? standIn : found->second, coding(loaded.scene, color));
+    }
+
+    void uploadSky(LoadedScene& loaded) {
+        std::vector<Image> faces;
+        for (const std::string& name : loaded.faces)
+            if (const auto found = pictures.find(name); found != pictures.end()) faces.push_back(found->second);
+        const bool complete = faces.size() == 6 && std::ranges::all_of(faces, [&](const Image& face) {
+            return face.width == face.height && face.width == faces[0].width;
+        });
+        if (!complete) faces.assign(6, flat(8, 10, 18)); // night, until all six faces are there
+        loaded.sky = gl::makeCubemap(faces, coding(loaded.scene, true));
+    }
+
+    void uploadAll(LoadedScene& loaded) {
+        loaded.images.resize(loaded.slots.size());
+        for (std::size_t i = 0; i < loaded.slots.size(); ++i) uploadImage(loaded, i);
+        if (!loaded.faces.empty()) uploadSky(loaded);
+    }
+
+    void imageArrived(LoadedScene& loaded, const std::string& name) {
+        for (std::size_t i = 0; i < loaded.slots.size(); ++i)
+            if (loaded.slots[i] == name) uploadImage(loaded, i);
+        const bool last = std::ranges::all_of(loaded.faces, [&](const auto& face) { return pictures.contains(face); });
+        if (last && std::ranges::find(loaded.faces, name) != loaded.faces.end()) uploadSky(loaded);
+    }
+
+    // --- limits -----------------------------------------------------------------------------------------------------
+
+    int blockTexels() const { return info.maxUniformBlockSize / int(sizeof(glm::vec4)); }
+
+    bool fits(const Scene& scene, Problems& problems) const {
+        const std::size_t before = problems.size();
+        const auto refuse = [&](const std::string& what, const std::string& remedy) {
+            problems.push_back({scene.file, 0, {}, what, remedy});
+        };
+        const int texels = sceneTexels(scene), units = int(imageSlots(scene).size()) + kFirstImageUnit;
+        const long most = long(kDataWidth) * info.maxTextureSize;
+        if (texels > most)
+            refuse("the scene takes " + std::to_string(texels) + " texels, this GL holds " + std::to_string(most),
+                   "use fewer objects");
+        if (units > info.maxTextureUnits)
+            refuse("the scene takes " + std::to_string(units) + " texture units, this GL has " +
+                       std::to_string(info.maxTextureUnits),
+                   "use fewer images");
+        return problems.size() == before;
+    }
+
+    // --- programs ---------------------------------------------------------------------------------------------------
+
+    void choose() {
+        if (!wantedScene) return;
+        Settings chosen = settings;
+        if (chosen.data == DataPath::Block && sceneTexels(wantedScene->scene) > blockTexels()) {
+            chosen.data = DataPath::Texture;
+            pending.push_back({wantedScene->scene.file, 0, {},
+                               "the scene takes " + std::to_string(sceneTexels(wantedScene->scene)) +
+                                   " texels, a uniform block of this GL holds " + std::to_string(blockTexels()) +
+                                   ": its numbers go into a texture",
+                               {}});
+        }
+        wanted = programs.get(featuresOf(wantedScene->scene, chosen, blockTexels(), info.essl300), pending);
+        adopt();
+    }
+
+    /// From here on the wanted program draws, once it can.
+    void adopt() {
+        if (!wanted || wanted->state != ProgramState::Ready) return;
+        drawn = wanted;
+        drawnScene = wantedScene;
+        drawnSettings = settings;
+    }
+
+    void warmUp() {
+        const View view{wantedScene->scene.camera, 0, 1, 1};
+        drawInto(warm.framebuffer.get(), view, *wanted, *wantedScene, settings, true);
+    }
+
+    // --- drawing ----------------------------------------------------------------------------------------------------
+
+    void uploadScene(const CachedProgram& program, const Scene& scene, double time) {
+        std::vector<glm::vec4> texels = packScene(scene, program.features, time);
+        if (program.features.dataBlock) {
+            glBindBuffer(GL_UNIFORM_BUFFER, sceneBuffer.get());
+            glBufferData(GL_UNIFORM_BUFFER, GLsizeiptr(texels.size() * sizeof(glm::vec4)), texels.data(), GL_DYNAMIC_DRAW);
+            glBindBufferBase(GL_UNIFORM_BUFFER, kSceneBinding, sceneBuffer.get());
+            return;
+        }
+        const int rows = int(texels.size() + kDataWidth - 1) / kDataWidth;
+        texels.resize(std::size_t(rows) * kDataWidth);
+        glActiveTexture(GL_TEXTURE0 + kDataUnit);
+        if (rows != sceneRows) {
+            sceneTexture = gl::makeDataTexture(kDataWidth, rows);
+            sceneRows = rows;
+        }
+        glBindTexture(GL_TEXTURE_2D, sceneTexture.get());
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kDataWidth, rows, GL_RGBA, GL_FLOAT, texels.data());
+    }
+
+    void bindImages(const LoadedScene& loaded) {
+        for (std::size_t i = 0; i < loaded.images.size(); ++i) {
+            glActiveTexture(GLenum(GL_TEXTURE0 + kFirstImageUnit + int(i)));
+            glBindTexture(GL_TEXTURE_2D, loaded.images[i].get());
+        }
+        glActiveTexture(GL_TEXTURE0 + kSkyUnit);
+        glBindTexture(GL_TEXTURE_CUBE_MAP, loaded.sky.get());
+        glActiveTexture(GL_TEXTURE0 + kDataUnit);
+    }
+
+    void drawInto(GLuint framebuffer, const View& view, const CachedProgram& program, const LoadedScene& loaded,
+                  const Settings& with, bool encode) {
+        const FrameBlock block = frameBlock(view, loaded.scene, with, encode);
+        glBindVertexArray(vertexArray.get());
+        glUseProgram(program.program.get());
+        glBindBuffer(GL_UNIFORM_BUFFER, frameBuffer.get());
+        glBufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_DYNAMIC_DRAW);
+        glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, frameBuffer.get());
+        uploadScene(program, loaded.scene, view.time);
+        bindImages(loaded);
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+        glViewport(0, 0, view.width, view.height);
+        glDisable(GL_BLEND);
+        glDisable(GL_DEPTH_TEST);
+        glDisable(GL_SCISSOR_TEST);
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
+
+    void drawNow(const View& view, GLuint framebuffer, bool encode) {
+        drawInto(framebuffer, view, *drawn, *drawnScene, drawnSettings, encode);
+    }
+
+    void drawScaled(const View& view, GLuint framebuffer) {
+        View small = view;
+        small.width = std::max(1, int(std::lround(view.width * settings.scale)));
+        small.height = std::max(1, int(std::lround(view.height * settings.scale)));
+        resize(scaled, small.width, small.height, GL_RGBA8);
+        drawNow(small, scaled.framebuffer.get(), true);
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, scaled.framebuffer.get());
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
+        glBlitFramebuffer(0, 0, small.width, small.height, 0, 0, view.width, view.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    }
+
+    static void resize(gl::Target& target, int width, int height, GLenum format) {
+        if (target.width == width && target.height == height && target.format == format) return;
+        target = gl::makeTarget(width, height, format);
+    }
+
+    /// Draws into a target of `format` and leaves it bound for reading.
+    bool drawOutput(const View& view, GLenum format, bool encode, Problems& problems) {
+        if (!drawn) return false;
+        const auto refuse = [&](const std::string& what, const std::string& remedy) {
+            problems.push_back({{}, 0, {}, what, remedy});
+            return false;
+        };
+        if (view.width > info.maxTextureSize || view.height > info.maxTextureSize)
+            return refuse("a picture of " + std::to_string(view.width) + "x" + std::to_string(view.height) +
+                              " is larger than this GL's " + std::to_string(info.maxTextureSize),
+                          "use a smaller --size");
+        if (format == GL_RGBA32F && !info.floatTargets)
+            return refuse("this GL cannot draw float32 pictures (EXT_color_buffer_float is missing)",
+                          "use another --context");
+        resize(output, view.width, view.height, format);
+        if (!output.framebuffer) return refuse("the GL has no memory for a picture of this size", "use a smaller --size");
+        drawNow(view, output.framebuffer.get(), encode);
+        glPixelStorei(GL_PACK_ALIGNMENT, 1);
+        return true;
+    }
+};
+
+Renderer::Renderer() : impl_(std::make_unique<Impl>()) {}
+Renderer::~Renderer() = default;
+
+bool Renderer::setScene(const Scene& scene, Problems& problems) {
+    if (!impl_->fits(scene, problems)) return false;
+    auto loaded = std::make_shared<LoadedScene>();
+    loaded->scene = scene;
+    loaded->slots = imageSlots(scene);
+    loaded->faces = facesOf(scene);
+    impl_->uploadAll(*loaded);
+    impl_->wantedScene = std::move(loaded);
+    impl_->choose();
+    return true;
+}
+
+void Renderer::setImage(const std::string& name, const Image& image) {
+    impl_->pictures[name] = image;
+    if (impl_->wantedScene) impl_->imageArrived(*impl_->wantedScene, name);
+    if (impl_->drawnScene && impl_->drawnScene != impl_->wantedScene) impl_->imageArrived(*impl_->drawnScene, name);
+}
+
+void Renderer::configure(const Settings& settings) {
+    impl_->settings = settings;
+    impl_->choose();
+    // What is only a number acts at once, also while a new program compiles.
+    if (impl_->drawn) impl_->drawnSettings = settings;
+}
+
+ProgramState Renderer::poll(Problems& problems) {
+    problems.insert(problems.end(), impl_->pending.begin(), impl_->pending.end());
+    impl_->pending.clear();
+    if (!impl_->wanted) return impl_->wantedScene ? ProgramState::Failed : ProgramState::None;
+    const ProgramState state = impl_->programs.poll(*impl_->wanted, [this] { impl_->warmUp(); }, problems);
+    if (state == ProgramState::Ready && impl_->drawn != impl_->wanted) impl_->adopt();
+    if (state == ProgramState::Ready && impl_->drawnScene != impl_->wantedScene) impl_->adopt();
+    return state;
+}
+
+bool Renderer::finish(Problems& problems) {
+    ProgramState state = poll(problems);
+    while (state == ProgramState::Compiling) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        state = poll(problems);
+    }
+    return state == ProgramState::Ready;
+}
+
+bool Renderer::canDraw() const { return impl_->drawn != nullptr; }
+
+void Renderer::draw(const View& view, unsigned framebuffer) {
+    if (!impl_->drawn || view.width <= 0 || view.height <= 0) return;
+    if (impl_->settings.scale < 1)
+        impl_->drawScaled(view, framebuffer);
+    else
+        impl_->drawNow(view, framebuffer, true);
+}
+
+FloatImage Renderer::readOutput(const View& view, Problems& problems) {
+    if (!impl_->drawOutput(view, GL_RGBA32F, false, problems)) return {};
+    std::vector<float> rgba(std::size_t(view.width) * view.height * 4);
+    glReadPixels(0, 0, view.width, view.height, GL_RGBA, GL_FLOAT, rgba.data());
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    if (!gl::check("reading the picture back", problems)) return {};
+    FloatImage image{view.width, view.height, channelsOf(impl_->settings.aov), {}};
+    image.pixels.resize(std::size_t(image.width) * image.height * image.channels);
+    for (int y = 0; y < image.height; ++y) // GL's first row is the lowest
+        for (int x = 0; x < image.width; ++x)
+            std::copy_n(&rgba[(std::size_t(image.height - 1 - y) * image.width + x) * 4], image.channels, image.at(x, y));
+    return image;
+}
+
+Image Renderer::readPicture(const View& view, Problems& problems) {
+    if (!impl_->drawOutput(view, GL_RGBA8, true, problems)) return {};
+    const std::size_t row = std::size_t(view.width) * 4;
+    std::vector<std::uint8_t> rgba(row * view.height);
+    glReadPixels(0, 0, view.width, view.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    if (!gl::check("reading the picture back", problems)) return {};
+    Image image{view.width, view.height, std::vector<std::uint8_t>(rgba.size())};
+    for (int y = 0; y < view.height; ++y)
+        std::copy_n(&rgba[row * (view.height - 1 - y)], row, &image.rgba[row * y]);
+    return image;
+}
+
+ProgramStats Renderer::stats() const { return impl_->drawn ? impl_->drawn->stats : ProgramStats{}; }
+
+const std::string& Renderer::source() const {
+    static const std::string none;
+    return impl_->drawn ? impl_->drawn->source.text : none;
+}
+
+void Renderer::contextLost() {
+    Impl& i = *impl_;
+    i.programs.forget();
+    i.wanted = i.drawn = nullptr;
+    for (const auto& loaded : {i.wantedScene, i.drawnScene}) {
+        if (!loaded) continue;
+        for (gl::Texture& image : loaded->images) image.forget();
+        loaded->sky.forget();
+    }
+    i.drawnScene = nullptr;
+    i.vertexArray.forget();
+    i.frameBuffer.forget();
+    i.sceneBuffer.forget();
+    i.sceneTexture.forget();
+    i.sceneRows = 0;
+    for (gl::Target* target : {&i.scaled, &i.output, &i.warm}) {
+        target->color.forget();
+        target->framebuffer.forget();
+        *target = {};
+    }
+}
+
+void Renderer::contextRestored() {
+    impl_->info = gl::info(); // extensions must be asked for anew
+    impl_->makeObjects();
+    if (impl_->wantedScene) impl_->uploadAll(*impl_->wantedScene);
+    impl_->choose();
+}
+
+} // namespace gnomon

@@ -1,0 +1,74 @@
+/// Draws a scene with the one shader: owns every GL object that takes, none of which the caller sees.
+///
+/// The order of use: setScene, setImage for what imagesOf(scene) names (a flat grey stands in until then), configure with
+/// the settings, then each frame poll() and draw(). All calls need the context the renderer was made in to be current.
+#pragma once
+
+#include "tracer/image.h"
+#include "tracer/problem.h"
+#include "tracer/render/camera.h"
+#include "tracer/render/settings.h"
+#include "tracer/scene/scene.h"
+
+#include <memory>
+#include <string>
+
+namespace gnomon {
+
+/// All that changes from frame to frame.
+struct View {
+    CameraPose camera;
+    double time = 0;
+    int width = 0, height = 0;
+};
+
+/// How far the program for the wanted scene and settings has come.
+enum class ProgramState { None, Compiling, Ready, Failed };
+
+/// What a program cost and is.
+struct ProgramStats {
+    std::size_t sourceBytes = 0;
+    double buildMs = 0;   ///< specialising the source
+    double compileMs = 0; ///< from handing it to GL to the first finished draw
+};
+
+class Renderer {
+  public:
+    Renderer();
+    ~Renderer();
+    Renderer(const Renderer&) = delete;
+    Renderer& operator=(const Renderer&) = delete;
+
+    /// Takes a checked scene. False, with problems, where this GL cannot hold it; the old scene then stays.
+    bool setScene(const Scene&, Problems&);
+    void setImage(const std::string& name, const Image&);
+
+    /// Chooses the program for the settings and starts to compile it where it is new; the old one draws on meanwhile.
+    void configure(const Settings&);
+
+    /// Lets compiling go on; problems of a failed compile (shader file, line, the driver's words) are added once.
+    ProgramState poll(Problems&);
+    /// poll() until the program is ready or has failed.
+    bool finish(Problems&);
+    bool canDraw() const;
+
+    /// Draws the picture into the framebuffer object `framebuffer` (0 = the window).
+    void draw(const View&, unsigned framebuffer);
+    /// Draws the output the settings name into float32, unclamped and not encoded, and reads it back.
+    FloatImage readOutput(const View&, Problems&);
+    /// Draws what a window would show, and reads it back.
+    Image readPicture(const View&, Problems&);
+
+    ProgramStats stats() const;
+    const std::string& source() const; ///< of the program that draws now
+
+    /// The GL objects are gone with a lost context: forget them without touching GL, then build all anew in the new one.
+    void contextLost();
+    void contextRestored();
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace gnomon

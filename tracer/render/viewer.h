@@ -1,0 +1,81 @@
+/// The interactive program without a window: what the desktop and the browser host share.
+///
+/// A host makes a GL context current, gives events and time, and shows what report() and title() say. It owns nothing
+/// else.
+#pragma once
+
+#include "tracer/render/camera.h"
+#include "tracer/render/renderer.h"
+#include "tracer/render/settings.h"
+
+#include <functional>
+#include <set>
+#include <string>
+#include <string_view>
+
+namespace gnomon {
+
+class Viewer {
+  public:
+    /// `report` gets one line for every change the user should know of.
+    Viewer(const Settings&, std::function<void(const std::string&)> report);
+
+    /// False, with problems, where this GL cannot hold the scene; the old one then stays. The settings' eye, target and
+    /// fov hold for the first scene; a later one brings its own. The same scene again keeps the view where the user
+    /// moved it.
+    bool setScene(Scene, Problems&);
+    void setImage(const std::string& name, const Image&);
+    const Scene& scene() const { return scene_; }
+
+    /// One setting by name, as a panel or a script changes it. `eye`, `target`, `fov` and `time` act at once.
+    bool set(std::string_view key, std::string_view text, std::string_view place, Problems&);
+    /// The settings as they stand. eye, target and fov are set only where they differ from the scene's, rounded to
+    /// seven digits; time is the clock's.
+    Settings settings() const;
+
+    /// Key names: letters and digits as on the cap ("W", "1"), "Left", "Right", "Up", "Down", "Shift". Repeats are
+    /// ignored.
+    void keyDown(const std::string& key);
+    void keyUp(const std::string& key);
+    void releaseAllKeys(); ///< when the window loses the focus
+
+    /// Mouse or one finger: pixels right and down, of a view `height` pixels high.
+    void drag(double dx, double dy, double height);
+    /// Two fingers: move by the pinch (ratio of finger distances now : before) and their common way in pixels.
+    void pinch(double ratio, double dx, double dy, double height);
+
+    void resize(int width, int height); ///< in physical pixels
+    /// Steps the motion by the clock, lets compiling go on and draws into `framebuffer`. `now` in seconds.
+    /// False while there is nothing to draw yet.
+    bool frame(double now, unsigned framebuffer, Problems&);
+
+    double framesPerSecond() const { return fps_; } ///< over at least half a second; 0 before that
+    std::string title() const;                      ///< `Gnomon – lite – 61 FPS – depth 4, shadows hard`
+
+    Renderer& renderer() { return renderer_; }
+    View view() const;
+
+    void contextLost() { renderer_.contextLost(); }
+    void contextRestored() { renderer_.contextRestored(); }
+
+  private:
+    void steer(double seconds);
+    void changed(const SettingRow&);
+    void configure();
+    void placeCamera();
+    void countFrame(double now);
+
+    Settings settings_;
+    std::function<void(const std::string&)> report_;
+    Scene scene_;
+    Camera camera_;
+    CameraPose home_; ///< the pose as the scene gave it
+    Renderer renderer_;
+    std::set<std::string> held_;
+    bool hasScene_ = false;
+    int width_ = 0, height_ = 0;
+    double lastFrame_ = -1, countFrom_ = -1, fps_ = 0;
+    int counted_ = 0;
+};
+
+} // namespace gnomon

@@ -1,0 +1,301 @@
+#include "tracer/scene/object_reader.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+namespace gnomon {
+
+namespace {
+
+using Kind = JsonValue::Kind;
+
+/// One value on its way from the file into the scene: what all complaints about it need.
+struct Place {
+    const JsonValue& value;
+    std::string path;
+    SceneReport& report;
+
+    Place item(std::size_t i) const { return {value.children[i], path + "[" + std::to_string(i) + "]", report}; }
+    bool complain(std::string what, std::string remedy = {}) const {
+        report.add(value.line, path, std::move(what), std::move(remedy));
+        return false;
+    }
+    bool expect(Kind kind, const std::string& wanted, std::string example = {}) const {
+        if (value.kind == kind) return true;
+        return complain("expected " + wanted + ", found " + std::string(describe(value.kind)), std::move(example));
+    }
+};
+
+std::string spelled(Range range) { return toString(range.min) + " to " + toString(range.max); }
+
+std::string listed(const std::vector<std::string_view>& words) {
+    std::string text;
+    for (std::string_view word : words) text += (text.empty() ? "" : ", ") + std::string(word);
+    return text;
+}
+
+bool checkNumber(const Place& place, Range range, double& target) {
+    if (!place.expect(Kind::Number, "a number")) return false;
+    const double number = place.value.number;
+    if (!(number >= range.min && number <= range.max))
+        return place.complain(toString(number) + " is outside the limits", "use a number from " + spelled(range));
+    target = number;
+    return true;
+}
+
+/// `count` numbers in a list, as in `example`. All are checked, even where one is wrong.
+bool checkNumbers(const Place& place, Range range, std::size_t count, const std::string& example, double* target) {
+    const std::string wanted = "a list of " + std::to_string(count) + " numbers";
+    if (!place.expect(Kind::Array, wanted, example)) return false;
+    const std::size_t found = place.value.children.size();
+    if (found != count)
+        return place.complain("expected " + wanted + ", found " + std::to_string(found) + " entries", example);
+    bool right = true;
+    for (std::size_t i = 0; i < count; ++i) right &= checkNumber(place.item(i), range, target[i]);
+    return right;
+}
+
+bool checkVector(const Place& place, Range range, glm::dvec3& target, const std::string& example = "write [x, y, z]") {
+    double numbers[3];
+    if (!checkNumbers(place, range, 3, example, numbers)) return false;
+    target = {numbers[0], numbers[1], numbers[2]};
+    return true;
+}
+
+bool checkDirection(const Place& place, Range range, glm::dvec3& target) {
+    glm::dvec3 direction;
+    if (!checkVector(place, range, direction)) return false;
+    const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
+    if (largest == 0) return place.complain("the direction is zero", "use a direction as [0, 1, 0]");
+    target = glm::normalize(direction / largest); // in two steps: tiny numbers must not vanish when squared
+    return true;
+}
+
+/// One number stands for all channels.
+bool checkColor(const Place& place, Range range, glm::dvec3& target) {
+    double number;
+    if (place.value.kind == Kind::Array) return checkVector(place, range, target, "write [r, g, b]");
+    if (place.value.kind != Kind::Number) return place.expect(Kind::Array, "a number or [r, g, b]");
+    if (!checkNumber(place, range, number)) return false;
+    target = glm::dvec3(number);
+    return true;
+}
+
+std::size_t characters(std::string_view utf8) {
+    return std::size_t(std::count_if(utf8.begin(), utf8.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+}
+
+bool checkLength(const Place& place, Range range, std::string_view text) {
+    const double length = double(characters(text));
+    if (length >= range.min && length <= range.max) return true;
+    return place.complain("a text of " + toString(length) + " characters", "use " + spelled(range) + " characters");
+}
+
+bool checkImageName(const Place& place, Range range, std::string_view text) {
+    const bool plain =
+        std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; });
+    if (plain) return checkLength(place, range, text);
+    return place.complain(
+        inQuotes(text) + " is not an image's name",
+        "use letters, digits, - and _ only: the name of a file in the texture folder without extension");
+}
+
+} // namespace
+
+void SceneReport::add(int line, std::string path, std::string what, std::string remedy) {
+    problems.push_back({file, line, std::move(path), std::move(what), std::move(remedy)});
+}
+
+std::string SceneReport::suggest(std::string_view word, const std::vector<std::string_view>& candidates,
+                                 std::string otherwise) {
+    if (suggestionsLeft-- <= 0) return otherwise;
+    const std::string_view best = closest(word, candidates);
+    return best.empty() ? otherwise : "did you mean " + inQuotes(best) + "?";
+}
+
+ObjectReader::ObjectReader(const JsonValue& value, const ObjectFormat& format, std::string path, SceneReport& report)
+    : value_(&value), format_(&format), path_(std::move(path)), report_(&report),
+      problemsBefore_(report.problems.size()) {
+    if (!Place{value, path_, report}.expect(Kind::Object, "an object", "write { \"key\": value, ... }")) return;
+    reportUnknownKeys();
+    reportMissingKeys();
+    reportAlternatives();
+}
+
+int ObjectReader::lineOf(std::string_view key) const {
+    const JsonValue* value = value_->find(key);
+    return value ? value->line : line();
+}
+
+/// The group of which one key is required and none is there.
+const Alternatives* ObjectReader::unmetAlternatives() const {
+    for (const Alternatives& group : format_->alternatives)
+        if (group.required && std::none_of(group.keys.begin(), group.keys.end(), [&](auto key) { return has(key); }))
+            return &group;
+    return nullptr;
+}
+
+/// Where a shape (light kind, …) is missing, a key that we do not know may be one that we do not know: it holds an
+/// object or a list and is no misspelling of another key.
+bool ObjectReader::looksLikeOneOf(const Alternatives& group, const JsonValue& member) const {
+    if (member.kind != Kind::Object && member.kind != Kind::Array) return false;
+    std::vector<std::string_view> others;
+    for (const FieldFormat& field : format_->fields)
+        if (std::find(group.keys.begin(), group.keys.end(), field.key) == group.keys.end()) others.push_back(field.key);
+    return report_->suggest(member.key, others, "").empty();
+}
+
+void ObjectReader::reportUnknownKeys() const {
+    std::vector<std::string_view> known;
+    for (const FieldFormat& field : format_->fields) known.push_back(field.key);
+    const Alternatives* unmet = unmetAlternatives();
+    bool met = !unmet;
+    for (const JsonValue& member : value_->children) {
+        if (format_->find(member.key)) continue;
+        const bool alternative = unmet && looksLikeOneOf(*unmet, member);
+        const auto& candidates = alternative ? unmet->keys : known;
+        report_->add(member.keyLine, path_,
+                     "unknown " + std::string(alternative ? unmet->what : "key") + " " + inQuotes(member.key),
+                     report_->suggest(member.key, candidates, "known here: " + listed(candidates)));
+        met |= alternative;
+    }
+    if (!met) report_->add(line(), path_, "no " + std::string(unmet->what), "give one of: " + listed(unmet->keys));
+}
+
+void ObjectReader::reportMissingKeys() const {
+    for (const FieldFormat& field : format_->fields)
+        if (field.required && !has(field.key))
+            report_->add(line(), path_, "missing key " + inQuotes(field.key), "it gives: " + std::string(field.help));
+}
+
+void ObjectReader::reportAlternatives() const {
+    for (const Alternatives& group : format_->alternatives) {
+        std::vector<std::string_view> present;
+        int lastLine = 0; // where the one was added that is too many
+        for (std::string_view key : group.keys) {
+            if (!has(key)) continue;
+            present.push_back(key);
+            lastLine = std::max(lastLine, lineOf(key));
+        }
+        if (present.size() > 1)
+            report_->add(lastLine, path_, "more than one " + std::string(group.what) + ": " + listed(present),
+                         "keep one of them");
+    }
+}
+
+bool ObjectReader::read(std::string_view key, bool& target) const {
+    const JsonValue* value = value_->find(key);
+    if (!value || !Place{*value, pathOf(key), *report_}.expect(Kind::Boolean, "true or false")) return false;
+    target = value->boolean;
+    return true;
+}
+
+bool ObjectReader::read(std::string_view key, double& target) const {
+    const JsonValue* value = value_->find(key);
+    return value && checkNumber({*value, pathOf(key), *report_}, format_->find(key)->range, target);
+}
+
+bool ObjectReader::read(std::string_view key, std::string& target) const {
+    const JsonValue* value = value_->find(key);
+    const FieldFormat& field = *format_->find(key);
+    if (!value) return false;
+    const Place place{*value, pathOf(key), *report_};
+    if (!place.expect(Kind::String, "a string")) return false;
+    if (field.type == ValueType::Text && !checkLength(place, field.range, value->text)) return false;
+    if (field.type == ValueType::Image && !checkImageName(place, field.range, value->text)) return false;
+    if (field.type == ValueType::Choice) {
+        const auto& choices = field.choices;
+        if (std::find(choices.begin(), choices.end(), value->text) == choices.end())
+            return place.complain(inQuotes(value->text) + " is not a choice", "use one of: " + listed(choices));
+    }
+    target = value->text;
+    return true;
+}
+
+bool ObjectReader::read(std::string_view key, glm::dvec2& target) const {
+    const JsonValue* value = value_->find(key);
+    const FieldFormat& field = *format_->find(key);
+    if (!value) return false;
+    const Place place{*value, pathOf(key), *report_};
+    double numbers[2];
+    if (field.type == ValueType::Scale && value->kind == Kind::Number) {
+        if (!checkNumber(place, field.range, numbers[0])) return false;
+        numbers[1] = numbers[0];
+    } else if (field.type == ValueType::Scale && value->kind != Kind::Array) {
+        return place.expect(Kind::Array, "a number or [u, v]");
+    } else if (!checkNumbers(place, field.range, 2, "write [u, v]", numbers)) {
+        return false;
+    }
+    target = {numbers[0], numbers[1]};
+    return true;
+}
+
+bool ObjectReader::read(std::string_view key, glm::dvec3& target) const {
+    const JsonValue* value = value_->find(key);
+    const FieldFormat& field = *format_->find(key);
+    if (!value) return false;
+    const Place place{*value, pathOf(key), *report_};
+    switch (field.type) {
+    case ValueType::Color: return checkColor(place, field.range, target);
+    case ValueType::Direction: return checkDirection(place, field.range, target);
+    default: return checkVector(place, field.range, target);
+    }
+}
+
+bool ObjectReader::read(std::string_view key, std::array<glm::dvec3, 3>& target) const {
+    const JsonValue* value = value_->find(key);
+    if (!value) return false;
+    const Place place{*value, pathOf(key), *report_};
+    const std::string example = "write [[x, y, z], [x, y, z], [x, y, z]]";
+    if (!place.expect(Kind::Array, "a list of 3 points", example)) return false;
+    if (const std::size_t found = value->children.size(); found != 3)
+        return place.complain("expected a list of 3 points, found " + std::to_string(found) + " entries", example);
+    bool right = true;
+    for (std::size_t i = 0; i < 3; ++i) right &= checkVector(place.item(i), format_->find(key)->range, target[i]);
+    return right;
+}
+
+std::optional<ObjectReader> ObjectReader::object(std::string_view key) const {
+    const JsonValue* value = value_->find(key);
+    if (!value) return std::nullopt;
+    return ObjectReader(*value, *format_->find(key)->format, pathOf(key), *report_);
+}
+
+std::optional<ObjectReader> ObjectReader::objectOrImage(std::string_view key, std::string& image) const {
+    const JsonValue* value = value_->find(key);
+    if (!value || value->kind == Kind::Object) return object(key);
+    const Place place{*value, pathOf(key), *report_};
+    if (place.expect(Kind::String, "an image's name or an object with \"image\"") &&
+        checkImageName(place, kName, value->text))
+        image = value->text;
+    return std::nullopt;
+}
+
+std::vector<ObjectReader::Member> ObjectReader::members(std::string_view key) const {
+    const JsonValue* value = value_->find(key);
+    const FieldFormat& field = *format_->find(key);
+    if (!value) return {};
+    const bool map = field.type == ValueType::Map;
+    const Place place{*value, pathOf(key), *report_};
+    if (!place.expect(map ? Kind::Object : Kind::Array, map ? "an object" : "a list")) return {};
+    const double count = double(value->children.size());
+    if (!(count >= field.range.min && count <= field.range.max)) {
+        place.complain(toString(count) + " entries", "use " + spelled(field.range) + " entries");
+        return {};
+    }
+    std::vector<Member> all;
+    for (std::size_t i = 0; i < value->children.size(); ++i) {
+        const JsonValue& child = value->children[i];
+        const Place member{child, map ? memberPath(pathOf(key), child.key) : place.item(i).path, *report_};
+        if (map) checkLength(member, kName, child.key);
+        all.push_back({child.key, &child, member.path});
+    }
+    return all;
+}
+
+ObjectReader ObjectReader::open(std::string_view key, const Member& member) const {
+    return ObjectReader(*member.value, *format_->find(key)->format, member.path, *report_);
+}
+
+} // namespace gnomon

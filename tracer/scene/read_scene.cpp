@@ -1,0 +1,298 @@
+#include "tracer/scene/read_scene.h"
+
+#include "tracer/scene/object_reader.h"
+
+#include <algorithm>
+#include <unordered_map>
+#include <utility>
+
+namespace gnomon {
+
+namespace {
+
+/// Reads the parts of one file into a scene. What a single value may be stands in the format tables; here stands what
+/// the parts mean together.
+class SceneReader {
+  public:
+    SceneReader(const std::string& file, Problems& problems) : report_{file, problems} { scene_.file = file; }
+
+    Scene read(const JsonValue& document);
+
+  private:
+    void readCamera(const ObjectReader&);
+    void readBackground(const ObjectReader&);
+    void readLight(const ObjectReader&);
+    void readMaterial(const ObjectReader&, const std::string& name);
+    void readOptics(const ObjectReader&, Material&);
+    std::optional<TextureUse> readTexture(const ObjectReader&, std::string_view key);
+    void readObject(const ObjectReader&);
+    void readShape(const ObjectReader&, Object&);
+    void readMaterialName(const ObjectReader&, Object&);
+    void readName(const ObjectReader&, Object&);
+    void readMotion(const ObjectReader&, Object&);
+    void readGlow(const ObjectReader&, Object&);
+    void resolveCentres();
+    void refuseCircles();
+
+    /// Where an object's motion names the object it moves around, until all names are known.
+    struct Centre {
+        int object;
+        std::string name;
+        int line;
+        std::string path;
+    };
+
+    SceneReport report_;
+    Scene scene_;
+    std::unordered_map<std::string, int> materials_, objects_; ///< by name
+    std::vector<std::string_view> materialNames_;
+    std::vector<Centre> centres_;
+};
+
+std::string stem(const std::string& file) {
+    const std::size_t slash = file.find_last_of("/\\");
+    const std::string name = slash == std::string::npos ? file : file.substr(slash + 1);
+    return name.substr(0, name.rfind('.'));
+}
+
+std::vector<std::string_view> namesIn(const std::unordered_map<std::string, int>& table) {
+    std::vector<std::string_view> names;
+    for (const auto& [name, index] : table) names.push_back(name);
+    std::sort(names.begin(), names.end()); // messages must not depend on the order of a hash table
+    return names;
+}
+
+Material defaultMaterial() {
+    Material grey;
+    grey.ambient = glm::dvec3(0.1);
+    grey.diffuse = glm::dvec3(0.5);
+    return grey;
+}
+
+Scene SceneReader::read(const JsonValue& document) {
+    const ObjectReader root(document, sceneFormat(), "", report_);
+    scene_.name = stem(scene_.file);
+    root.read("title", scene_.title);
+    root.read("description", scene_.description);
+    std::string encoding;
+    if (root.read("encoding", encoding)) scene_.encoding = encoding == "display" ? Encoding::Display : Encoding::Linear;
+    if (const auto camera = root.object("camera")) readCamera(*camera);
+    if (const auto background = root.object("background")) readBackground(*background);
+    for (const auto& light : root.members("lights")) readLight(root.open("lights", light));
+    scene_.materials.push_back(defaultMaterial());
+    for (const auto& material : root.members("materials"))
+        readMaterial(root.open("materials", material), material.name);
+    materialNames_ = namesIn(materials_);
+    for (const auto& object : root.members("objects")) readObject(root.open("objects", object));
+    resolveCentres();
+    refuseCircles();
+    return std::move(scene_);
+}
+
+/// The view must be a view in float32, in which the shader computes it.
+void SceneReader::readCamera(const ObjectReader& camera) {
+    constexpr double kParallel = 1e-6; // sine of the angle between up and the view
+    CameraPose& pose = scene_.camera;
+    camera.read("eye", pose.eye);
+    camera.read("target", pose.target);
+    camera.read("up", pose.up);
+    camera.read("fov", pose.fov);
+    if (!camera.sound()) return;
+    if (glm::vec3(pose.eye) == glm::vec3(pose.target))
+        return report_.add(camera.line(), camera.path(), "eye and target are the same point", "move one of them");
+    if (glm::length(glm::cross(pose.up, glm::normalize(pose.target - pose.eye))) < kParallel)
+        report_.add(camera.line(), camera.path(), "up is parallel to the view from eye to target",
+                    "use another direction for \"up\"");
+}
+
+void SceneReader::readBackground(const ObjectReader& background) {
+    background.read("color", scene_.background.color);
+    background.read("cubemap", scene_.background.cubemap);
+}
+
+void SceneReader::readLight(const ObjectReader& reader) {
+    Light light;
+    PointLight point;
+    if (const auto shape = reader.object("point")) shape->read("position", point.position);
+    light.shape = point;
+    reader.read("color", light.color);
+    scene_.lights.push_back(light);
+}
+
+void SceneReader::readMaterial(const ObjectReader& reader, const std::string& name) {
+    Material material;
+    material.name = name;
+    reader.read("ambient", material.ambient);
+    reader.read("diffuse", material.diffuse);
+    reader.read("specular", material.specular);
+    reader.read("emission", material.emission);
+    reader.read("shininess", material.shininess);
+    readOptics(reader, material);
+    material.texture = readTexture(reader, "texture");
+    material.normalMap = readTexture(reader, "normal_map");
+    materials_.emplace(name, int(scene_.materials.size()));
+    scene_.materials.push_back(std::move(material));
+}
+
+void SceneReader::readOptics(const ObjectReader& material, Material& target) {
+    if (const auto reader = material.object("conductor")) {
+        Conductor conductor;
+        reader->read("n", conductor.n);
+        reader->read("k", conductor.k);
+        target.optics = conductor;
+    }
+    if (const auto reader = material.object("dielectric")) {
+        Dielectric dielectric;
+        reader->read("ior", dielectric.ior);
+        target.optics = dielectric;
+    }
+    if (const auto reader = material.object("coat")) {
+        Coat coat;
+        reader->read("ior", coat.ior);
+        reader->read("mask", coat.mask);
+        target.optics = coat;
+    }
+}
+
+std::optional<TextureUse> SceneReader::readTexture(const ObjectReader& material, std::string_view key) {
+    if (!material.has(key)) return std::nullopt;
+    TextureUse use;
+    if (const auto texture = material.objectOrImage(key, use.image)) {
+        texture->read("image", use.image);
+        texture->read("scale", use.scale);
+        texture->read("scroll", use.scroll);
+    }
+    return use;
+}
+
+void SceneReader::readObject(const ObjectReader& reader) {
+    Object object;
+    object.line = reader.line();
+    readShape(reader, object);
+    readName(reader, object);
+    readMaterialName(reader, object);
+    reader.read("casts_shadow", object.castsShadow);
+    readMotion(reader, object);
+    readGlow(reader, object);
+    scene_.objects.push_back(std::move(object));
+}
+
+/// Packs the fields of whichever shape is there as the shape table says.
+void SceneReader::readShape(const ObjectReader& object, Object& target) {
+    for (const ShapeRow& row : shapeTable()) {
+        const auto reader = object.object(row.key);
+        if (!reader) continue;
+        Shape shape{row.kind, {}};
+        for (const ShapeField& field : row.fields) {
+            glm::dvec4* texel = &shape.texels[std::size_t(field.texel)];
+            glm::dvec3 vector{0};
+            std::array<glm::dvec3, 3> vertices{};
+            if (field.type == FieldType::Length) {
+                reader->read(field.key, (*texel)[field.component]);
+            } else if (field.type == FieldType::Vertices) {
+                reader->read(field.key, vertices);
+                for (int i = 0; i < 3; ++i) texel[i] = glm::dvec4(vertices[std::size_t(i)], 0);
+            } else {
+                reader->read(field.key, vector);
+                *texel = glm::dvec4(vector, texel->w);
+            }
+        }
+        if (reader->sound()) {
+            const auto [what, remedy] = row.check(shape);
+            if (!what.empty()) report_.add(reader->line(), reader->path(), what, remedy);
+        }
+        target.shape = shape;
+    }
+}
+
+void SceneReader::readName(const ObjectReader& object, Object& target) {
+    if (!object.read("name", target.name)) return;
+    const auto [first, isNew] = objects_.emplace(target.name, int(scene_.objects.size()));
+    if (!isNew)
+        report_.add(object.lineOf("name"), object.pathOf("name"),
+                    "the name " + inQuotes(target.name) + " is taken by objects[" + std::to_string(first->second) + "]",
+                    "use each name once");
+}
+
+void SceneReader::readMaterialName(const ObjectReader& object, Object& target) {
+    std::string name;
+    if (!object.read("material", name)) return;
+    const auto found = materials_.find(name);
+    if (found != materials_.end()) {
+        target.material = found->second;
+        return;
+    }
+    report_.add(object.lineOf("material"), object.pathOf("material"), "unknown material " + inQuotes(name),
+                report_.suggest(name, materialNames_, "define it under \"materials\""));
+}
+
+void SceneReader::readMotion(const ObjectReader& object, Object& target) {
+    const auto motion = object.object("motion");
+    const auto reader = motion ? motion->object("orbit") : std::nullopt;
+    if (!reader) return;
+    Orbit orbit;
+    reader->read("cos", orbit.cos);
+    reader->read("sin", orbit.sin);
+    reader->read("rate", orbit.rate);
+    target.motion = orbit;
+    std::string around;
+    if (reader->read("around", around))
+        centres_.push_back({int(scene_.objects.size()), around, reader->lineOf("around"), reader->pathOf("around")});
+}
+
+void SceneReader::readGlow(const ObjectReader& object, Object& target) {
+    const auto reader = object.object("glow");
+    if (!reader) return;
+    Glow glow;
+    reader->read("color", glow.color);
+    reader->read("strength", glow.strength);
+    reader->read("softness", glow.softness);
+    target.glow = glow;
+    if (target.shape.kind != ShapeKind::Sphere)
+        report_.add(reader->line(), reader->path(), "only spheres can glow", "remove \"glow\" or use a sphere");
+}
+
+void SceneReader::resolveCentres() {
+    const std::vector<std::string_view> names = namesIn(objects_);
+    for (const Centre& centre : centres_) {
+        const auto found = objects_.find(centre.name);
+        if (found != objects_.end()) {
+            scene_.objects[std::size_t(centre.object)].motion->around = found->second;
+            continue;
+        }
+        report_.add(centre.line, centre.path, "unknown object " + inQuotes(centre.name),
+                    report_.suggest(centre.name, names, "give the object a \"name\""));
+    }
+}
+
+/// Each circle is reported once, at the first of its objects that the file moves.
+void SceneReader::refuseCircles() {
+    enum class State : char { New, OnTheWay, Done };
+    std::vector<State> states(scene_.objects.size(), State::New);
+    const auto next = [&](int i) {
+        const auto& motion = scene_.objects[std::size_t(i)].motion;
+        return motion ? motion->around : -1;
+    };
+    for (const Centre& centre : centres_) {
+        int i = centre.object;
+        for (; i >= 0 && states[std::size_t(i)] == State::New; i = next(i)) states[std::size_t(i)] = State::OnTheWay;
+        if (i >= 0 && states[std::size_t(i)] == State::OnTheWay)
+            report_.add(centre.line, centre.path, inQuotes(centre.name) + " moves around itself in the end",
+                        "let one object of the circle rest, or move around none");
+        for (i = centre.object; i >= 0 && states[std::size_t(i)] == State::OnTheWay; i = next(i))
+            states[std::size_t(i)] = State::Done;
+    }
+}
+
+} // namespace
+
+std::optional<Scene> readScene(std::string_view text, const std::string& file, Problems& problems) {
+    const std::size_t before = problems.size();
+    const std::optional<JsonValue> document = parseJson(text, file, problems);
+    if (!document) return std::nullopt;
+    Scene scene = SceneReader(file, problems).read(*document);
+    if (problems.size() != before) return std::nullopt;
+    return scene;
+}
+
+} // namespace gnomon

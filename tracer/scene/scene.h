@@ -1,0 +1,101 @@
+/// What is drawn: plain data, all numbers checked, names resolved to indices. Knows nothing of GL.
+#pragma once
+
+#include "tracer/scene/shapes.h"
+
+#include <glm/glm.hpp>
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace gnomon {
+
+/// Where the picture is taken from. `fov` is vertical, in degrees.
+struct CameraPose {
+    glm::dvec3 eye{0, 0, 3}, target{0, 0, 0}, up{0, 1, 0};
+    double fov = 36.86989764584402; ///< a canvas of half height 1 at distance 3
+};
+
+/// How an image lies on a surface: texel coordinate = uv * scale + scroll * time, repeated.
+struct TextureUse {
+    std::string image; ///< name of a PNG in the texture folder, without extension
+    glm::dvec2 scale{1, 1};
+    glm::dvec2 scroll{0, 0}; ///< per second
+};
+
+/// Fresnel reflectance from complex index n + ik, per channel. Reflects, never refracts.
+struct Conductor { glm::dvec3 n{1}, k{0}; };
+/// Clear body: reflects and refracts.
+struct Dielectric { double ior = 1.5; };
+/// Clear layer over the surface's own colour: reflects by its index, does not refract.
+struct Coat {
+    double ior = 1.5;
+    std::string mask; ///< image whose red channel scales the reflection; empty: everywhere. Uses the texture's uv
+};
+
+struct Material {
+    std::string name;
+    glm::dvec3 ambient{0}, diffuse{0}, specular{0}, emission{0};
+    double shininess = 1;
+    std::variant<std::monostate, Conductor, Dielectric, Coat> optics;
+    std::optional<TextureUse> texture;   ///< multiplies ambient, diffuse and emission of its own surface
+    std::optional<TextureUse> normalMap; ///< tangent space, green towards the image's top
+};
+
+/// Moves a shape by cos·cos(rate t) + sin·sin(rate t) from where it rests, and by all that `around` has moved too: the
+/// resting place of a shape with `around` is relative to the other object's reference point.
+struct Orbit {
+    glm::dvec3 cos{0}, sin{0};
+    double rate = 1; ///< radians per second
+    int around = -1; ///< index in Scene::objects; -1: none
+};
+
+/// Light around a point, seen along the ray's line: color * clamp(strength / (softness + d²)), d = distance of the line.
+struct Glow {
+    glm::dvec3 color{1};
+    double strength = 2, softness = 0.5;
+};
+
+struct Object {
+    Shape shape; ///< where it rests
+    int material = 0;
+    std::string name;
+    bool castsShadow = true;
+    std::optional<Orbit> motion;
+    std::optional<Glow> glow; ///< spheres only
+    int line = 0;             ///< in the scene file
+};
+
+struct PointLight { glm::dvec3 position{0}; };
+struct Light {
+    std::variant<PointLight> shape;
+    glm::dvec3 color{1};
+};
+
+/// Cube map by name: faces NAME-px, -nx, -py, -ny, -pz, -nz; or one colour.
+struct Background {
+    glm::dvec3 color{0};
+    std::string cubemap;
+};
+
+enum class Encoding { Linear, Display };
+
+struct Scene {
+    std::string name, file, title, description;
+    CameraPose camera;
+    Background background;
+    Encoding encoding = Encoding::Linear;
+    std::vector<Light> lights;
+    std::vector<Material> materials; ///< [0] is the default grey
+    std::vector<Object> objects;     ///< in file order: the `object` output is an index into this
+};
+
+/// Every object's shape at `time` seconds.
+std::vector<Shape> shapesAt(const Scene&, double time);
+
+/// Names of all images the scene needs, each once, cube map faces spelled out.
+std::vector<std::string> imagesOf(const Scene&);
+
+} // namespace gnomon

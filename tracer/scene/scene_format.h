@@ -1,0 +1,66 @@
+/// The format of scene files as tables: which keys an object of the file may have, of what type, within which limits.
+///
+/// The reader checks files against these tables and the schema is written from them, so that the two cannot disagree.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace gnomon {
+
+enum class ValueType {
+    Boolean,
+    Number,    ///< within `range`
+    Scale,     ///< one number or [u, v], each within `range`
+    Pair,      ///< [u, v]
+    Vector,    ///< [x, y, z]
+    Direction, ///< [x, y, z], not all zero
+    Color,     ///< one number or [r, g, b]
+    Vertices,  ///< three [x, y, z]
+    Text,      ///< `range` characters
+    Image,     ///< an image's name: letters, digits, _ and -; `range` characters
+    Choice,    ///< one of `choices`
+    Object,    ///< of `format`
+    ImageOrObject,
+    List, ///< `range` objects of `format`
+    Map,  ///< `range` objects of `format`, under names of kName characters
+    Ignored,
+};
+
+struct Range {
+    double min, max;
+};
+
+struct ObjectFormat;
+
+struct FieldFormat {
+    std::string_view key;
+    ValueType type;
+    Range range;
+    std::string_view help;
+    bool required = false;
+    const ObjectFormat* format = nullptr;
+    std::vector<std::string_view> choices{};
+};
+
+/// Keys of which an object must have exactly one, or may have at most one.
+struct Alternatives {
+    std::string_view what; ///< "shape": what each of the keys is
+    std::vector<std::string_view> keys;
+    bool required;
+};
+
+struct ObjectFormat {
+    std::string_view help;
+    std::vector<FieldFormat> fields;
+    std::vector<Alternatives> alternatives{};
+
+    const FieldFormat* find(std::string_view key) const;
+};
+
+inline constexpr Range kName{1, 64}; ///< characters of a name
+
+/// The whole file.
+const ObjectFormat& sceneFormat();
+
+} // namespace gnomon

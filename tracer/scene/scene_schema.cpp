@@ -1,0 +1,116 @@
+#include "tracer/scene/read_scene.h"
+#include "tracer/scene/scene_format.h"
+
+#include <nlohmann/json.hpp>
+
+namespace gnomon {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json objectSchema(const ObjectFormat&);
+
+Json numberSchema(Range range) { return {{"type", "number"}, {"minimum", range.min}, {"maximum", range.max}}; }
+
+Json tupleSchema(const Json& item, int count) {
+    return {{"type", "array"}, {"items", item}, {"minItems", count}, {"maxItems", count}};
+}
+
+Json textSchema(Range range) {
+    return {{"type", "string"}, {"minLength", int(range.min)}, {"maxLength", int(range.max)}};
+}
+
+Json imageSchema(Range range) {
+    Json schema = textSchema(range);
+    schema["pattern"] = "^[A-Za-z0-9_-]+$";
+    return schema;
+}
+
+Json either(const Json& one, const Json& other) { return {{"anyOf", Json::array({one, other})}}; }
+
+Json listSchema(const FieldFormat& field) {
+    return {{"type", "array"},
+            {"minItems", int(field.range.min)},
+            {"maxItems", int(field.range.max)},
+            {"items", objectSchema(*field.format)}};
+}
+
+Json mapSchema(const FieldFormat& field) {
+    return {{"type", "object"},
+            {"propertyNames", textSchema(kName)},
+            {"minProperties", int(field.range.min)},
+            {"maxProperties", int(field.range.max)},
+            {"additionalProperties", objectSchema(*field.format)}};
+}
+
+Json directionSchema(Range range) {
+    Json schema = tupleSchema(numberSchema(range), 3);
+    schema["not"] = {{"items", {{"const", 0}}}};
+    return schema;
+}
+
+Json valueSchema(const FieldFormat& field) {
+    const Json number = numberSchema(field.range);
+    switch (field.type) {
+    case ValueType::Boolean: return {{"type", "boolean"}};
+    case ValueType::Number: return number;
+    case ValueType::Scale: return either(number, tupleSchema(number, 2));
+    case ValueType::Pair: return tupleSchema(number, 2);
+    case ValueType::Vector: return tupleSchema(number, 3);
+    case ValueType::Direction: return directionSchema(field.range);
+    case ValueType::Color: return either(number, tupleSchema(number, 3));
+    case ValueType::Vertices: return tupleSchema(tupleSchema(number, 3), 3);
+    case ValueType::Text: return textSchema(field.range);
+    case ValueType::Image: return imageSchema(field.range);
+    case ValueType::Choice: return {{"enum", field.choices}};
+    case ValueType::Object: return objectSchema(*field.format);
+    case ValueType::ImageOrObject: return either(imageSchema(kName), objectSchema(*field.format));
+    case ValueType::List: return listSchema(field);
+    case ValueType::Map: return mapSchema(field);
+    case ValueType::Ignored: break;
+    }
+    return Json::object();
+}
+
+/// Exactly one of the keys, or at most one.
+Json alternativesSchema(const Alternatives& group) {
+    Json each = Json::array();
+    for (std::string_view key : group.keys) each.push_back({{"required", Json::array({key})}});
+    if (!group.required) {
+        const Json none = {{"not", {{"anyOf", each}}}};
+        each.push_back(none);
+    }
+    return {{"oneOf", each}};
+}
+
+Json objectSchema(const ObjectFormat& format) {
+    Json schema = {{"type", "object"}};
+    if (!format.help.empty()) schema["description"] = format.help;
+    Json required = Json::array();
+    Json properties = Json::object();
+    for (const FieldFormat& field : format.fields) {
+        Json property = {{"description", field.help}};
+        const Json value = valueSchema(field);
+        for (auto member = value.begin(); member != value.end(); ++member)
+            if (member.key() != "description") property[member.key()] = member.value();
+        properties[std::string(field.key)] = property;
+        if (field.required) required.push_back(field.key);
+    }
+    schema["properties"] = properties;
+    schema["additionalProperties"] = false;
+    if (!required.empty()) schema["required"] = required;
+    for (const Alternatives& group : format.alternatives) schema["allOf"].push_back(alternativesSchema(group));
+    return schema;
+}
+
+} // namespace
+
+std::string sceneSchema() {
+    Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "Gnomon scene"}};
+    const Json scene = objectSchema(sceneFormat());
+    for (auto member = scene.begin(); member != scene.end(); ++member) schema[member.key()] = member.value();
+    return schema.dump(2) + "\n";
+}
+
+} // namespace gnomon

@@ -1,0 +1,104 @@
+#include "tracer/scene/shapes.h"
+
+#include "tracer/problem.h"
+
+#include <algorithm>
+#include <cassert>
+
+namespace gnomon {
+
+namespace {
+
+using Complaint = std::array<std::string, 2>;
+
+Complaint nothingWrong(const Shape&) { return {}; }
+
+/// A triangle counts as degenerate where its height over its longest edge is below what float32 resolves of that edge.
+Complaint checkTriangle(const Shape& shape) {
+    constexpr double kFloatResolution = 1.0 / (1 << 22);
+    const glm::dvec3 a{glm::vec3(shape.texels[0])}, b{glm::vec3(shape.texels[1])}, c{glm::vec3(shape.texels[2])};
+    const double longest = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+    const double twiceArea = glm::length(glm::cross(b - a, c - a));
+    if (twiceArea > kFloatResolution * longest * longest) return {};
+    return {"the three vertices lie on one line: the triangle has no area", "move one vertex off that line"};
+}
+
+/// Compared as the shader will see them, in float32.
+Complaint checkTorus(const Shape& shape) {
+    const double major = lengthOf(shape, "major_radius"), minor = lengthOf(shape, "minor_radius");
+    if (float(minor) < float(major)) return {};
+    const bool spindle = float(minor) > float(major);
+    return {"minor_radius " + toString(minor) + (spindle ? " exceeds" : " equals") + " major_radius " +
+                toString(major) + ": a " + (spindle ? "spindle" : "horn") + " torus is not supported",
+            "use minor_radius < " + toString(major)};
+}
+
+const std::array<ShapeRow, kShapeKinds>& rows() {
+    using enum FieldType;
+    // clang-format off
+    static const std::array<ShapeRow, kShapeKinds> table{{
+        {ShapeKind::Sphere, "sphere", "Sphere", 1,
+         {{"center", Point, 0, 0, "Centre"},
+          {"radius", Length, 0, 3, "Radius"}},
+         nothingWrong},
+        {ShapeKind::Plane, "plane", "Plane", 2,
+         {{"point", Point, 0, 0, "Any point of the plane"},
+          {"normal", Direction, 1, 0, "Direction across the plane, of any length"}},
+         nothingWrong},
+        {ShapeKind::Disc, "disc", "Disc", 2,
+         {{"center", Point, 0, 0, "Centre"},
+          {"normal", Direction, 1, 0, "Direction across the disc, of any length"},
+          {"radius", Length, 0, 3, "Radius"}},
+         nothingWrong},
+        {ShapeKind::Triangle, "triangle", "Triangle", 3,
+         {{"vertices", Vertices, 0, 0, "Three points a, b, c; the outside is where cross(b - a, c - a) points"}},
+         checkTriangle},
+        {ShapeKind::Torus, "torus", "Torus", 2,
+         {{"center", Point, 0, 0, "Centre of the hole"},
+          {"axis", Direction, 1, 0, "Direction through the hole, of any length"},
+          {"major_radius", Length, 0, 3, "From the centre to the middle of the tube"},
+          {"minor_radius", Length, 1, 3, "Radius of the tube, less than major_radius"}},
+         checkTorus},
+    }};
+    // clang-format on
+    return table;
+}
+
+const ShapeField& fieldOf(const Shape& shape, std::string_view key) {
+    const auto& fields = shapeRow(shape.kind).fields;
+    const auto field = std::find_if(fields.begin(), fields.end(), [&](const ShapeField& f) { return f.key == key; });
+    assert(field != fields.end());
+    return *field;
+}
+
+} // namespace
+
+std::span<const ShapeRow> shapeTable() { return rows(); }
+
+const ShapeRow& shapeRow(ShapeKind kind) { return rows()[std::size_t(kind)]; }
+
+glm::dvec3 pointOf(const Shape& shape, std::string_view key) {
+    return glm::dvec3(shape.texels[std::size_t(fieldOf(shape, key).texel)]);
+}
+
+double lengthOf(const Shape& shape, std::string_view key) {
+    const ShapeField& field = fieldOf(shape, key);
+    return shape.texels[std::size_t(field.texel)][field.component];
+}
+
+glm::dvec3 referencePoint(const Shape& shape) {
+    for (const ShapeField& field : shapeRow(shape.kind).fields)
+        if (field.type == FieldType::Point || field.type == FieldType::Vertices)
+            return glm::dvec3(shape.texels[std::size_t(field.texel)]);
+    return glm::dvec3(0);
+}
+
+Shape translated(Shape shape, glm::dvec3 by) {
+    for (const ShapeField& field : shapeRow(shape.kind).fields) {
+        const int points = field.type == FieldType::Vertices ? 3 : field.type == FieldType::Point ? 1 : 0;
+        for (int i = 0; i < points; ++i) shape.texels[std::size_t(field.texel + i)] += glm::dvec4(by, 0);
+    }
+    return shape;
+}
+
+} // namespace gnomon

@@ -1,0 +1,72 @@
+/// The shape table: every analytic shape the tracer knows, one row each.
+///
+/// A row gives the JSON key, the fields with their limits, and where each field lies in the texels the shader reads. From it
+/// come the scene reader, the schema, the packed scene data and the names the shader builder looks for. Adding a shape
+/// is one row here and one file shaders/primitive/KEY.glsl.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace gnomon {
+
+enum class ShapeKind { Sphere, Plane, Disc, Triangle, Torus };
+inline constexpr int kShapeKinds = 5;
+
+/// Most texels (vec4) the geometry of one shape may take.
+inline constexpr int kMaxShapeTexels = 3;
+
+enum class FieldType {
+    Point,     ///< three coordinates, moves with the object
+    Direction, ///< three numbers, not all zero; normalised on reading
+    Length,    ///< one number > 0
+    Vertices,  ///< three points in one JSON array, in texels `texel`, `texel + 1`, `texel + 2`
+};
+
+struct ShapeField {
+    std::string_view key;
+    FieldType type;
+    int texel;     ///< first texel of the shape that holds it
+    int component; ///< first component: 0 for vectors, 3 for a scalar beside one
+    std::string_view help;
+};
+
+struct Shape; // below
+
+struct ShapeRow {
+    ShapeKind kind;
+    std::string_view key;  ///< in scene files, and the file's name: shaders/primitive/KEY.glsl
+    std::string_view type; ///< in GLSL: struct TYPE, loadTYPE, intersectTYPE, surfaceTYPE
+    int texels;
+    std::vector<ShapeField> fields; ///< all required
+    /// What is wrong with a shape whose fields are each right; {} where nothing is. {what, remedy}
+    std::array<std::string, 2> (*check)(const Shape&);
+};
+
+/// One shape, its fields packed as the shader reads them.
+struct Shape {
+    ShapeKind kind = ShapeKind::Sphere;
+    std::array<glm::dvec4, kMaxShapeTexels> texels{};
+};
+
+/// All rows, in the order of ShapeKind.
+std::span<const ShapeRow> shapeTable();
+const ShapeRow& shapeRow(ShapeKind);
+
+/// Reads a vector or scalar field back out of the packed shape.
+glm::dvec3 pointOf(const Shape&, std::string_view field);
+double lengthOf(const Shape&, std::string_view field);
+
+/// The point that stands for the whole shape where another object moves around it: its centre, the point of a plane, the
+/// first vertex.
+glm::dvec3 referencePoint(const Shape&);
+
+/// The shape moved by `by`: every point and vertex of it.
+Shape translated(Shape, glm::dvec3 by);
+
+} // namespace gnomon

@@ -1,0 +1,68 @@
+#include "tracer/shader/features.h"
+
+#include "tracer/render/scene_data.h"
+
+#include <algorithm>
+
+namespace gnomon {
+namespace {
+
+constexpr int kDeepestTree = 8; // the largest depth a user can choose: depth itself stays a uniform
+
+std::vector<KindCount> countKinds(const Scene& scene) {
+    std::array<KindCount, kShapeKinds> counts{};
+    for (const Object& object : scene.objects) {
+        KindCount& kind = counts[int(object.shape.kind)];
+        kind.kind = object.shape.kind;
+        ++kind.count;
+        kind.casters += object.castsShadow;
+    }
+    std::vector<KindCount> present;
+    std::ranges::copy_if(counts, std::back_inserter(present), [](const KindCount& kind) { return kind.count > 0; });
+    return present;
+}
+
+void addMaterial(const Material& material, const Settings& settings, Features& features) {
+    const auto* coat = std::get_if<Coat>(&material.optics);
+    features.coats |= coat != nullptr;
+    features.coatMasks |= coat && !coat->mask.empty();
+    features.conductors |= std::holds_alternative<Conductor>(material.optics);
+    features.refraction |= std::holds_alternative<Dielectric>(material.optics);
+    features.textures |= material.texture.has_value();
+    features.normalMaps |= material.normalMap && settings.normalMaps;
+}
+
+} // namespace
+
+int Features::objects() const {
+    int sum = 0;
+    for (const KindCount& kind : shapes) sum += kind.count;
+    return sum;
+}
+
+Features featuresOf(const Scene& scene, const Settings& settings, int maxBlockTexels, bool es300) {
+    Features features;
+    features.shapes = countKinds(scene);
+    features.output = settings.aov;
+    features.es300 = es300;
+    features.linear = scene.encoding == Encoding::Linear;
+    features.materials = int(scene.materials.size());
+    features.lights = int(scene.lights.size());
+    features.images = int(imageSlots(scene).size());
+    std::vector<bool> used(scene.materials.size(), false);
+    for (const Object& object : scene.objects) used[object.material] = true;
+    for (std::size_t i = 0; i < used.size(); ++i)
+        if (used[i]) addMaterial(scene.materials[i], settings, features);
+    features.reflection = features.conductors || features.refraction || features.coats;
+    features.rayStack = features.refraction ? kDeepestTree - 1 : 0;
+    features.cubemap = !scene.background.cubemap.empty();
+    features.shadows = features.lights > 0 ? settings.shadows : ShadowModel::Off;
+    if (settings.glow)
+        features.glows = int(std::ranges::count_if(scene.objects, [](const Object& o) { return o.glow.has_value(); }));
+    const int texels = sceneTexels(scene);
+    features.dataBlock =
+        settings.data == DataPath::Block || (settings.data == DataPath::Auto && texels <= maxBlockTexels);
+    return features;
+}
+
+} // namespace gnomon

@@ -1,0 +1,38 @@
+/// Which parts of the shader library a scene needs, and nothing about how large its numbers are.
+#pragma once
+
+#include "tracer/render/settings.h"
+#include "tracer/scene/scene.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+/// Objects of one kind: the first `casters` of them cast shadows.
+struct KindCount {
+    ShapeKind kind = ShapeKind::Sphere;
+    int count = 0, casters = 0;
+};
+
+struct Features {
+    std::vector<KindCount> shapes; ///< kinds present only, in table order
+    int materials = 0, lights = 0, glows = 0, images = 0;
+    int rayStack = 0; ///< entries: one less than the deepest tree where a surface both reflects and refracts, else 0
+    bool reflection = false, refraction = false, coats = false, conductors = false, coatMasks = false;
+    bool textures = false, normalMaps = false;
+    bool cubemap = false, linear = false;
+    ShadowModel shadows = ShadowModel::Off;
+    Aov output = Aov::Color;
+    bool dataBlock = false; ///< numbers in a uniform block, else in a texture
+    bool es300 = true;      ///< prelude `#version 300 es`, else `330 core`
+
+    int objects() const;
+};
+
+/// Pure: the same scene and settings give the same features. `settings.data` Auto takes a block where `maxBlockTexels`
+/// vec4 hold the scene.
+Features featuresOf(const Scene&, const Settings&, int maxBlockTexels, bool es300);
+
+} // namespace gnomon
