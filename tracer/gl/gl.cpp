@@ -84,7 +84,7 @@ Info info() {
     info.es = info.version.find("OpenGL ES") != std::string::npos;
     const std::vector<std::string> names = extensions();
     const auto has = [&](std::string_view wanted) {
-        return std::ranges::any_of(names, [&](const std::string& name) {
+        return std::any_of(names.begin(), names.end(), [&](const std::string& name) {
             return name == wanted || (name.starts_with("GL_") && std::string_view(name).substr(3) == wanted);
         });
     };

@@ -45,12 +45,13 @@ FrameBlock frameBlock(const View& view, const Scene& scene, const Settings& sett
 Image flat(std::uint8_t r, std::uint8_t g, std::uint8_t b) { return {1, 1, {r, g, b, 255}}; }
 
 bool usedAsNormalMap(const Scene& scene, const std::string& image) {
-    return std::ranges::any_of(scene.materials,
-                               [&](const Material& m) { return m.normalMap && m.normalMap->image == image; });
+    return std::any_of(scene.materials.begin(), scene.materials.end(),
+                       [&](const Material& m) { return m.normalMap && m.normalMap->image == image; });
 }
 
 bool usedAsColor(const Scene& scene, const std::string& image) {
-    return std::ranges::any_of(scene.materials, [&](const Material& m) { return m.texture && m.texture->image == image; });
+    return std::any_of(scene.materials.begin(), scene.materials.end(),
+                       [&](const Material& m) { return m.texture && m.texture->image == image; });
 }
 
 std::vector<std::string> facesOf(const Scene& scene) {
@@ -119,7 +120,7 @@ struct Renderer::Impl {
         std::vector<Image> faces;
         for (const std::string& name : loaded.faces)
             if (const auto found = pictures.find(name); found != pictures.end()) faces.push_back(found->second);
-        const bool complete = faces.size() == 6 && std::ranges::all_of(faces, [&](const Image& face) {
+        const bool complete = faces.size() == 6 && std::all_of(faces.begin(), faces.end(), [&](const Image& face) {
             return face.width == face.height && face.width == faces[0].width;
         });
         if (!complete) faces.assign(6, flat(8, 10, 18)); // night, until all six faces are there
@@ -135,8 +136,9 @@ struct Renderer::Impl {
     void imageArrived(LoadedScene& loaded, const std::string& name) {
         for (std::size_t i = 0; i < loaded.slots.size(); ++i)
             if (loaded.slots[i] == name) uploadImage(loaded, i);
-        const bool last = std::ranges::all_of(loaded.faces, [&](const auto& face) { return pictures.contains(face); });
-        if (last && std::ranges::find(loaded.faces, name) != loaded.faces.end()) uploadSky(loaded);
+        const auto begin = loaded.faces.begin(), end = loaded.faces.end();
+        const bool last = std::all_of(begin, end, [&](const auto& face) { return pictures.contains(face); });
+        if (last && std::find(begin, end, name) != end) uploadSky(loaded);
     }
 
     // --- limits -----------------------------------------------------------------------------------------------------

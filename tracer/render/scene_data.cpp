@@ -10,15 +10,16 @@ namespace {
 std::vector<int> shaderOrder(const Scene& scene) {
     std::vector<int> order(scene.objects.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = int(i);
-    std::ranges::stable_sort(order, {}, [&](int i) {
+    const auto place = [&](int i) {
         const Object& object = scene.objects[i];
         return std::pair(object.shape.kind, !object.castsShadow);
-    });
+    };
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return place(a) < place(b); });
     return order;
 }
 
 int slotOf(const std::vector<std::string>& images, const std::string& name) {
-    return name.empty() ? -1 : int(std::ranges::find(images, name) - images.begin());
+    return name.empty() ? -1 : int(std::find(images.begin(), images.end(), name) - images.begin());
 }
 
 /// Reflectance at normal incidence of a surface with complex index n + ik.
@@ -122,7 +123,7 @@ std::vector<glm::vec4> packScene(const Scene& scene, const Features& features, d
 std::vector<std::string> imageSlots(const Scene& scene) {
     std::vector<std::string> slots;
     const auto add = [&](const std::string& name) {
-        if (!name.empty() && std::ranges::find(slots, name) == slots.end()) slots.push_back(name);
+        if (!name.empty() && std::find(slots.begin(), slots.end(), name) == slots.end()) slots.push_back(name);
     };
     for (const Material& material : scene.materials) {
         if (material.texture) add(material.texture->image);

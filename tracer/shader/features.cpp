@@ -18,7 +18,8 @@ std::vector<KindCount> countKinds(const Scene& scene) {
         kind.casters += object.castsShadow;
     }
     std::vector<KindCount> present;
-    std::ranges::copy_if(counts, std::back_inserter(present), [](const KindCount& kind) { return kind.count > 0; });
+    std::copy_if(counts.begin(), counts.end(), std::back_inserter(present),
+                 [](const KindCount& kind) { return kind.count > 0; });
     return present;
 }
 
@@ -58,7 +59,8 @@ Features featuresOf(const Scene& scene, const Settings& settings, int maxBlockTe
     features.cubemap = !scene.background.cubemap.empty();
     features.shadows = features.lights > 0 ? settings.shadows : ShadowModel::Off;
     if (settings.glow)
-        features.glows = int(std::ranges::count_if(scene.objects, [](const Object& o) { return o.glow.has_value(); }));
+        features.glows = int(std::count_if(scene.objects.begin(), scene.objects.end(),
+                                            [](const Object& o) { return o.glow.has_value(); }));
     const int texels = sceneTexels(scene);
     features.dataBlock =
         settings.data == DataPath::Block || (settings.data == DataPath::Auto && texels <= maxBlockTexels);

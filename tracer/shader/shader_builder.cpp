@@ -48,7 +48,7 @@ Names namesOf(const Features& f) {
 struct Substitution { std::string word, value; };
 
 std::string mapped(std::string text, int (*change)(int)) {
-    std::ranges::transform(text, text.begin(), [=](unsigned char c) { return char(change(c)); });
+    std::transform(text.begin(), text.end(), text.begin(), [=](unsigned char c) { return char(change(c)); });
     return text;
 }
 
@@ -95,9 +95,9 @@ class Builder {
 
     void include(std::string_view name, int depth = 0) {
         const auto files = shaderLibrary();
-        const auto found = std::ranges::find(files, name, &ShaderFile::name);
+        const auto found = std::find_if(files.begin(), files.end(), [&](const ShaderFile& file) { return file.name == name; });
         if (found == files.end()) return problem("(generated)", 0, "there is no shader file " + std::string(name));
-        if (std::ranges::find(source_.modules, found->name) != source_.modules.end()) return;
+        if (std::find(source_.modules.begin(), source_.modules.end(), found->name) != source_.modules.end()) return;
         source_.modules.push_back(found->name);
         const Lines lines = linesOf(found->name, found->text);
         process(lines, 0, lines.text.size(), {}, depth + 1);

@@ -1,0 +1,82 @@
+// One frame from every host: OSMesa, EGL, GLX, Chromium and Firefox show the same picture.
+//
+// Bounds    pictures: at least `share` of the pixels within 2/255 of OSMesa's in every channel. Objects: the same one at every pixel
+//           that is not on an edge between two, and there at most 0.1 % of all pixels. Light fraction: the same at
+//           99.9 % of the pixels that show the same object away from an edge.
+// The rest  mirror images may flip where a ray grazes an edge: SwiftShader and llvmpipe round the last bit otherwise.
+//           Shapes and shadows may not.
+// Needs     a display (run under xvfb-run). Difference pictures of what fails lie in build/parity/.
+import { test } from 'node:test';
+import assert from 'node:assert/strict';
+import { execFileSync } from 'node:child_process';
+import { mkdirSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { join } from 'node:path';
+import { agreement, onAnEdge, readPfm, readPng, writeDifference } from './picture.mjs';
+
+const root = fileURLToPath(new URL('../..', import.meta.url));
+const out = join(root, 'build/parity');
+const gnomon = process.env.GNOMON_BINARY ?? join(root, 'build/native/gnomon');
+mkdirSync(out, { recursive: true });
+
+const scenes = [
+  { name: 'lite', depth: 8, size: '240x180', share: 0.999 },
+  { name: 'torus', depth: 8, size: '240x180', share: 0.999 },
+  { name: 'pro', depth: 8, size: '240x180', share: 0.995 },
+];
+const natives = ['osmesa', 'egl', 'window'];
+const hosts = [...natives, 'chromium', 'firefox'];
+
+/** Draws with one host; `aov` is empty for the picture itself. */
+function draw(host, scene, aov = '') {
+  const file = join(out, `${scene.name}-${aov || 'picture'}-${host}.${aov ? 'pfm' : 'png'}`);
+  const depth = `depth=${scene.depth}`;
+  const output = aov ? [`--aov=${aov}`] : [];
+  if (natives.includes(host)) {
+    execFileSync(gnomon, ['render', scene.name, '-o', file, `--size=${scene.size}`, `--context=${host}`, `--${depth}`, ...output]);
+  } else {
+    execFileSync(process.execPath, [join(root, 'tests/web/render.mjs'), `--browser=${host}`, `--scene=${scene.name}`,
+      `--size=${scene.size}`, `--set=${depth}`, ...output, '-o', file]);
+  }
+  return file;
+}
+
+for (const scene of scenes) {
+  test(`${scene.name}: every host shows OSMesa's picture`, { timeout: 600_000 }, async (t) => {
+    const wanted = readPng(draw('osmesa', scene));
+    for (const host of hosts.slice(1)) {
+      await t.test(host, () => {
+        const got = readPng(draw(host, scene));
+        const { share, apart } = agreement(wanted, got, 2);
+        const worst = apart.reduce((most, pixel) => Math.max(most, pixel.off), 0);
+        console.log(`${scene.name} ${host}: ${(100 * share).toFixed(3)} % within 2/255, ${apart.length} pixels apart, at most by ${worst}/255`);
+        if (share < scene.share) writeDifference(wanted, got, join(out, `${scene.name}-${host}-difference.png`));
+        assert.ok(share >= scene.share, `${(100 * share).toFixed(3)} % agree, ${100 * scene.share} % are asked for`);
+      });
+    }
+  });
+
+  test(`${scene.name}: no host flips a shape or a shadow`, { timeout: 600_000 }, async (t) => {
+    const objects = readPfm(draw('osmesa', scene, 'object'));
+    const light = readPfm(draw('osmesa', scene, 'visibility'));
+    const pixels = objects.width * objects.height;
+    for (const host of hosts.slice(1)) {
+      await t.test(host, () => {
+        const gotObjects = readPfm(draw(host, scene, 'object'));
+        const gotLight = readPfm(draw(host, scene, 'visibility'));
+        let flipped = 0, inside = 0, dark = 0;
+        for (let y = 0; y < objects.height; ++y)
+          for (let x = 0; x < objects.width; ++x) {
+            const i = y * objects.width + x;
+            const edge = onAnEdge(objects, x, y);
+            if (objects.data[i] !== gotObjects.data[i]) edge ? ++flipped : ++inside;
+            else if (!edge && light.data[i] !== gotLight.data[i]) ++dark;
+          }
+        console.log(`${scene.name} ${host}: ${flipped} edge pixels and ${inside} others show another object, ${dark} another shadow`);
+        assert.equal(inside, 0, 'away from edges every pixel shows the same object');
+        assert.ok(flipped <= pixels / 1000, `${flipped} edge pixels show another object`);
+        assert.ok(dark <= pixels / 1000, `${dark} pixels are lit otherwise`);
+      });
+    }
+  });
+}

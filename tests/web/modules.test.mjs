@@ -1,0 +1,43 @@
+// The page's modules that need no browser.
+import { strict as assert } from 'node:assert';
+import { test } from 'node:test';
+import { keyName } from '../../web/page/keyboard.js';
+import { keysOf } from '../../web/page/stick.js';
+import { parseSize } from '../../web/page/canvas.js';
+import { readQuery, writeQuery } from '../../web/page/url.js';
+
+test('moving keys go by place, letters by cap, digits by place', () => {
+  assert.equal(keyName({ code: 'KeyW', key: 'z' }), 'W'); // French layout
+  assert.equal(keyName({ code: 'Digit1', key: '&' }), '1');
+  assert.equal(keyName({ code: 'KeyU', key: 'g' }), 'G'); // Dvorak
+  assert.equal(keyName({ code: 'KeyG', key: 'п' }), 'G'); // Russian layout
+  assert.equal(keyName({ code: 'ShiftLeft', key: 'Shift' }), 'Shift');
+  assert.equal(keyName({ code: 'ArrowUp', key: 'ArrowUp' }), 'Up');
+  assert.equal(keyName({ code: 'Tab', key: 'Tab' }), null);
+});
+
+test('the stick stands for keys in eight directions, half speed near its middle', () => {
+  assert.deepEqual([...keysOf(0.1, 0.1)], []);
+  assert.deepEqual([...keysOf(0, -1)], ['W']);
+  assert.deepEqual([...keysOf(0.7, -0.7)], ['W', 'D']);
+  assert.deepEqual([...keysOf(-0.4, 0)], ['A', 'Shift']);
+});
+
+test('a size is WxH and nothing else', () => {
+  assert.deepEqual(parseSize('160x120'), { width: 160, height: 120 });
+  for (const wrong of [null, '', '160', '160x', 'x120', '1.5x2', '-1x1']) assert.equal(parseSize(wrong), null);
+});
+
+test('the address holds what differs, and time only while it stands still', () => {
+  const state = { changed: 'depth=5&time=1.25&pause=on&eye=0,1,2', scene: 'pro', size: null, pausedAtStart: false };
+  assert.equal(writeQuery({ ...state, paused: true }), 'scene=pro&depth=5&time=1.25&eye=0,1,2&pause=on');
+  assert.equal(writeQuery({ ...state, paused: false }), 'scene=pro&depth=5&eye=0,1,2');
+  assert.equal(writeQuery({ ...state, paused: false, pausedAtStart: true }), 'scene=pro&depth=5&eye=0,1,2&pause=off');
+  assert.equal(writeQuery({ changed: '', scene: null, size: '160x120', paused: false, pausedAtStart: false }), 'size=160x120');
+});
+
+test('the query is read as scene, size and settings', () => {
+  const { scene, size, values } = readQuery('?scene=pro&size=10x20&depth=5');
+  assert.deepEqual([scene, size], ['pro', '10x20']);
+  assert.deepEqual(values, [['size', '10x20'], ['depth', '5']]);
+});

@@ -1,0 +1,60 @@
+// Loading files beside the page: with progress, and with an error that says which file and why.
+
+const site = new URL('../', import.meta.url); // relative, so that the folder works under any path of any server
+
+const sceneUrl = (name) => new URL(`assets/scenes/${encodeURIComponent(name)}.json`, site);
+const imageUrl = (name) => new URL(`assets/textures/${encodeURIComponent(name)}.png`, site);
+
+async function get(url) {
+  const name = url.pathname.split('/').slice(-1)[0];
+  let response;
+  try {
+    response = await fetch(url);
+  } catch {
+    throw new Error(`${name}: the server does not answer; check that it still runs`);
+  }
+  if (response.ok) return response;
+  throw Object.assign(new Error(`${name}: the server does not have it (${response.status})`), { status: response.status });
+}
+
+/**
+ * The response to a GET, whose bytes are counted as they come.
+ * @param type media type of the answer, whatever the server calls it
+ */
+export async function fetchCounted(url, onBytes, type) {
+  const response = await get(url);
+  const total = Number(response.headers.get('content-length')) || 0; // of the compressed bytes where they are: a hint only
+  let soFar = 0;
+  const counter = new TransformStream({
+    transform(chunk, out) {
+      soFar += chunk.byteLength;
+      onBytes(soFar, Math.max(soFar, total));
+      out.enqueue(chunk);
+    },
+  });
+  return new Response(response.body.pipeThrough(counter), { headers: { 'Content-Type': type } });
+}
+
+/** Text of the scene file. */
+export async function fetchScene(name) {
+  try {
+    return await (await get(sceneUrl(name))).text();
+  } catch (error) {
+    throw error.status === 404 ? new Error(`there is no scene '${name}'`) : error;
+  }
+}
+
+/** [{ name, title, description }, …] of all scenes; empty where the list is missing. */
+export async function fetchSceneIndex() {
+  try {
+    return await (await get(new URL('assets/scenes/index.json', site))).json();
+  } catch {
+    return []; // scenes still load by name
+  }
+}
+
+/** The bytes of an image file, counted as they come. */
+export async function fetchImage(name, onBytes) {
+  const response = await fetchCounted(imageUrl(name), onBytes, 'image/png');
+  return new Uint8Array(await response.arrayBuffer());
+}

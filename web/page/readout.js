@@ -1,0 +1,14 @@
+// The read-out: frames per second and the settings that matter most, in the page's corner and in its title.
+
+const rateText = (fps) => (fps <= 0 ? '–' : fps < 9.95 ? fps.toFixed(1) : String(Math.round(fps)));
+
+/** Shows how things stand; `settings` is a Map of key → text. */
+export function showReadout({ title, fps, settings, width, height }) {
+  const scale = Number(settings.get('scale'));
+  const traced = [width, height].map((length) => Math.max(1, Math.round(length * scale))).join(' × ');
+  const parts = [`depth ${settings.get('depth')}`, `shadows ${settings.get('shadows')}`, traced];
+  if (settings.get('pause') === 'on') parts.push('paused');
+  document.title = title;
+  document.getElementById('fps').textContent = rateText(fps);
+  document.getElementById('state').textContent = parts.map((part) => ` · ${part}`).join('');
+}

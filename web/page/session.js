@@ -1,0 +1,178 @@
+// The tracer at work on a canvas: scenes and their images, the frames, a context that goes and comes back.
+
+import { fetchImage, fetchScene } from './load.js';
+import { ProgramState } from './tracer.js';
+
+const mostPatienceMs = 3000;
+
+const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+
+/**
+ * @param task begins a task of the loading bar, see progress.js
+ * @param emit tells of: 'problem' text · 'frame' · 'first' ms since navigation · 'scene' name · 'lost' · 'restored'
+ */
+export function startSession({ tracer, canvas, task, emit }) {
+  const gl = canvas.getContext('webgl2'); // the tracer's own context: asked only whether it lives and is done
+  let sceneName = null;
+  let wantedScene = 0; // counts the scenes asked for: what comes for an older one is dropped
+  let imagesAwaited = 0;
+  let suspended = 0;
+  let lost = false;
+  let compiling = null;
+  let failure = '';
+  let later = []; // what was asked for while there was no context
+
+  const alive = () => !lost && !gl.isContextLost();
+
+  const report = (problems) => problems && emit('problem', problems);
+
+  /** Takes what frames and polls had to say. */
+  const gather = () => {
+    const problems = tracer.takeProblems();
+    if (problems) failure = problems;
+    report(problems);
+  };
+
+  const watchCompile = () => {
+    const state = tracer.state();
+    if (state === ProgramState.compiling) compiling ??= task('Compiling the shader');
+    else if (compiling) compiling = void compiling.done();
+    return state;
+  };
+
+  // --- frames ---------------------------------------------------------------------------------------------------------
+
+  let frames = 0;
+  let letImagesIn; // each blocks the page for a moment: the first frame goes before them
+  const imagesMayCome = new Promise((resolve) => (letImagesIn = resolve));
+  setTimeout(letImagesIn, mostPatienceMs); // it may never come, in a hidden tab or with a shader that fails
+
+  const tick = (ms) => {
+    requestAnimationFrame(tick);
+    if (suspended || !alive()) return;
+    watchCompile();
+    const drawn = tracer.frame(ms / 1000);
+    gather();
+    if (!drawn) return;
+    frames += 1;
+    if (frames === 1)
+      whenDrawn().then(() => {
+        emit('first', performance.now());
+        letImagesIn();
+      });
+    emit('frame');
+  };
+
+  /** Waits for the GPU without blocking the page. */
+  const whenDrawn = async () => {
+    const fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    gl.flush();
+    while (fence && alive() && gl.clientWaitSync(fence, 0, 0) === gl.TIMEOUT_EXPIRED) await pause(4);
+    gl.deleteSync(fence);
+  };
+
+  /** Until the picture is what scene and settings ask for: images in, program ready. */
+  const settled = async () => {
+    failure = '';
+    for (;;) {
+      if (alive() && sceneName !== null && imagesAwaited === 0) {
+        const state = watchCompile();
+        gather();
+        if (state === ProgramState.ready) return;
+        if (state === ProgramState.failed) throw new Error(failure || 'the shader does not compile');
+      }
+      await pause(4);
+    }
+  };
+
+  /** Runs `work` while no frames are drawn. */
+  const alone = async (work) => {
+    suspended += 1;
+    letImagesIn();
+    try {
+      return await work();
+    } finally {
+      suspended -= 1;
+    }
+  };
+
+  // --- scenes ---------------------------------------------------------------------------------------------------------
+
+  let turn = imagesMayCome;
+
+  const loadImages = (order) => {
+    const names = tracer.imageNames();
+    imagesAwaited = names.length;
+    for (const name of names) loadImage(name, order);
+  };
+
+  const loadImage = async (name, order) => {
+    const loading = task(`Loading ${name}`);
+    try {
+      const bytes = await fetchImage(name, (soFar, total) => loading.at(soFar / total));
+      await (turn = turn.then(() => pause(0))); // one at a time, so that the page can answer between
+      if (order === wantedScene) whenAlive(() => report(tracer.giveImage(name, bytes)));
+    } catch (error) {
+      report(`${error.message}; one flat colour stands in for the image`);
+    }
+    loading.done();
+    if (order === wantedScene) imagesAwaited -= 1;
+  };
+
+  const takeScene = (text, name, order) => {
+    const problems = tracer.loadScene(text, name);
+    if (problems) throw new Error(problems);
+    sceneName = name;
+    emit('scene', name);
+    loadImages(order);
+  };
+
+  /** Loads a scene by name, or from text under a name; throws where it is wrong, and the old one stays. */
+  const load = async (name, text = fetchScene(name)) => {
+    const order = ++wantedScene;
+    const json = await text;
+    while (!alive()) await pause(50);
+    if (order === wantedScene) takeScene(json, name, order);
+  };
+
+  // --- a context that goes and comes back -----------------------------------------------------------------------------
+
+  const whenAlive = (work) => (alive() ? work() : void later.push(work));
+
+  canvas.addEventListener('webglcontextlost', (event) => {
+    event.preventDefault(); // without this it never comes back
+    lost = true;
+    compiling = void compiling?.done();
+    tracer.contextLost();
+    emit('lost');
+  });
+  canvas.addEventListener('webglcontextrestored', () => {
+    lost = false;
+    tracer.contextRestored();
+    for (const work of later.splice(0)) work();
+    emit('restored');
+  });
+
+  requestAnimationFrame(tick);
+
+  /** The name of the GPU, where the browser tells. */
+  const renderer = () => {
+    const name = tracer.glRenderer();
+    const unmasked = name === 'WebKit WebGL' && gl.getExtension('WEBGL_debug_renderer_info');
+    return unmasked ? gl.getParameter(unmasked.UNMASKED_RENDERER_WEBGL) : name;
+  };
+
+  return {
+    get sceneName() {
+      return sceneName;
+    },
+    get frames() {
+      return frames;
+    },
+    load,
+    settled,
+    alone,
+    whenAlive,
+    renderer,
+  };
+}

@@ -1,0 +1,108 @@
+// The tracer, compiled to WebAssembly, as a JavaScript object: text and numbers in, text and typed arrays out.
+//
+// What a call means stands at its C twin in web/host.cpp. Calls that answer a string of problems answer '' when all is well.
+
+import { fetchCounted } from './load.js';
+
+/** The states of the shader program, as ProgramState in tracer/render/renderer.h. */
+export const ProgramState = { none: 0, compiling: 1, ready: 2, failed: 3 };
+
+/**
+ * Loads and starts the module.
+ * @param report called with each line the user should know of
+ * @param onBytes called with (bytes so far, bytes in all) while it loads
+ */
+export async function startTracer({ report, onBytes }) {
+  const wasm = fetchCounted(new URL('../gnomon.wasm', import.meta.url), onBytes, 'application/wasm');
+  wasm.catch(() => {}); // told below, once the module asks for it
+  const { default: createModule } = await import('../gnomon.js');
+  return new Promise((resolve, reject) => {
+    const instantiateWasm = (imports, done) => {
+      wasm
+        .then((response) => WebAssembly.instantiateStreaming(response, imports))
+        .then(({ instance, module }) => done(instance, module))
+        .catch(reject);
+      return {}; // the instance comes later
+    };
+    createModule({ report, instantiateWasm }).then((module) => resolve(wrap(module)), reject);
+  });
+}
+
+function wrap(module) {
+  const text = (address) => module.UTF8ToString(address);
+
+  // Calls an exported function with JavaScript strings, which live in the module's memory for the call.
+  const withStrings = (name, ...strings) => {
+    const addresses = strings.map((string) => {
+      const size = module.lengthBytesUTF8(string) + 1;
+      const address = module._malloc(size);
+      module.stringToUTF8(string, address, size);
+      return address;
+    });
+    const answer = module[`_${name}`](...addresses);
+    addresses.forEach(module._free);
+    return answer;
+  };
+
+  const withBytes = (name, string, bytes) => {
+    const size = module.lengthBytesUTF8(string) + 1;
+    const nameAt = module._malloc(size);
+    const bytesAt = module._malloc(bytes.length);
+    module.stringToUTF8(string, nameAt, size);
+    module.HEAPU8.set(bytes, bytesAt);
+    const answer = module[`_${name}`](nameAt, bytesAt, bytes.length);
+    module._free(bytesAt);
+    module._free(nameAt);
+    return answer;
+  };
+
+  const readback = (address, Type) => {
+    const [width, height, channels, data] = module.HEAP32.subarray(address >> 2, (address >> 2) + 4);
+    const values = new Type(module.HEAPU8.buffer, data, width * height * channels);
+    return { width, height, channels, data: values.slice() }; // a copy: the memory may grow and move
+  };
+
+  return {
+    createContext: (selector) => withStrings('createContext', selector) !== 0,
+    createViewer: (lines, place) => text(withStrings('createViewer', lines, place)),
+    table: () => JSON.parse(text(module._settingsTableJson())),
+
+    loadScene: (json, name) => text(withStrings('loadScene', json, name)),
+    imageNames: () => text(module._imageNames()).split('\n').filter(Boolean),
+    giveImage: (name, bytes) => text(withBytes('giveImage', name, bytes)),
+
+    set: (key, value, place) => text(withStrings('setSetting', key, String(value), place)),
+    settings: () => parseLines(text(module._settingsText())),
+    urlQuery: () => text(module._urlQuery()),
+
+    keyDown: (key) => void withStrings('keyDown', key),
+    keyUp: (key) => void withStrings('keyUp', key),
+    releaseAllKeys: () => module._releaseAllKeys(),
+    drag: (dx, dy, height) => module._drag(dx, dy, height),
+    pinch: (ratio, dx, dy, height) => module._pinch(ratio, dx, dy, height),
+
+    resize: (width, height) => module._resize(width, height),
+    frame: (seconds) => module._frame(seconds) !== 0,
+    takeProblems: () => text(module._takeProblems()),
+    state: () => module._programState(),
+    compileMs: () => module._compileMs(),
+    sourceBytes: () => module._sourceBytes(),
+    source: () => text(module._shaderSource()),
+    framesPerSecond: () => module._framesPerSecond(),
+    title: () => text(module._title()),
+    glRenderer: () => text(module._glRenderer()),
+
+    drawAndWait: () => module._drawAndWait(),
+    readPicture: () => readback(module._readPicture(), Uint8ClampedArray),
+    readOutput: () => readback(module._readOutput(), Float32Array),
+
+    contextLost: () => module._contextLost(),
+    contextRestored: () => module._contextRestored(),
+  };
+}
+
+/** Lines `key=value` as a Map in their order. */
+function parseLines(lines) {
+  const pairs = lines.split('\n').filter(Boolean);
+  return new Map(pairs.map((line) => [line.slice(0, line.indexOf('=')), line.slice(line.indexOf('=') + 1)]));
+}
