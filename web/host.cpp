@@ -153,6 +153,8 @@ EMSCRIPTEN_KEEPALIVE void resize(int width, int height) { host.viewer->resize(wi
 
 /// One animation frame; `now` in seconds. 1: drawn; 0: nothing to draw yet.
 EMSCRIPTEN_KEEPALIVE int frame(double now) { return host.viewer->frame(now, 0, host.problems); }
+/// The picture shown has its full resolution.
+EMSCRIPTEN_KEEPALIVE int sharp() { return host.viewer->sharp(); }
 /// Problems that frames had since the last call.
 EMSCRIPTEN_KEEPALIVE const char* takeProblems() { return give(toString(std::exchange(host.problems, {}))); }
 
@@ -168,7 +170,7 @@ EMSCRIPTEN_KEEPALIVE const char* glRenderer() { return give(gl::info().renderer)
 
 /// Draws the view as it stands, without a step in time, and waits for the last pixel of it.
 EMSCRIPTEN_KEEPALIVE void drawAndWait() {
-    host.viewer->renderer().draw(host.viewer->view(), 0);
+    host.viewer->renderer().draw(host.viewer->view(), host.viewer->settings().scale, 0);
     std::uint8_t pixel[4];
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
@@ -179,7 +181,7 @@ EMSCRIPTEN_KEEPALIVE const int* readPicture() {
     const View view = host.viewer->view();
     Image& picture = host.picture;
     picture = {view.width, view.height, std::vector<std::uint8_t>(std::size_t(view.width) * view.height * 4)};
-    host.viewer->renderer().draw(view, 0);
+    host.viewer->renderer().draw(view, host.viewer->settings().scale, 0);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     glPixelStorei(GL_PACK_ALIGNMENT, 4);
     glReadPixels(0, 0, view.width, view.height, GL_RGBA, GL_UNSIGNED_BYTE, picture.rgba.data());

@@ -32,6 +32,7 @@ const std::map<std::string_view, std::vector<std::string>>& samples() {
         {"speed", {"0.001", "10000"}},
         {"size", {"1x1", "1920x1080", "16384x16384"}},
         {"scale", {"0.1", "0.3333333333333333"}},
+        {"adapt", {"off"}},
         {"vsync", {"off"}},
         {"data", {"block", "texture"}},
     };

@@ -139,6 +139,23 @@ Target makeTarget(int width, int height, GLenum format) {
     return target;
 }
 
+void Fence::set() {
+    clear();
+    sync_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    glFlush();
+}
+
+bool Fence::passed() {
+    if (glClientWaitSync(sync_, GL_SYNC_FLUSH_COMMANDS_BIT, 0) == GL_TIMEOUT_EXPIRED) return false;
+    clear();
+    return true;
+}
+
+void Fence::clear() {
+    if (sync_) glDeleteSync(sync_);
+    sync_ = nullptr;
+}
+
 Program::Program(const std::string& vertex, const std::string& fragment)
     : vertex_(compile(GL_VERTEX_SHADER, vertex)), fragment_(compile(GL_FRAGMENT_SHADER, fragment)),
       program_(glCreateProgram()) {

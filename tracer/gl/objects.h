@@ -70,6 +70,25 @@ struct Target {
 };
 Target makeTarget(int width, int height, GLenum format);
 
+/// Tells when the GPU has done what it was asked for so far, without waiting.
+class Fence {
+  public:
+    Fence() = default;
+    Fence(const Fence&) = delete;
+    Fence& operator=(const Fence&) = delete;
+    ~Fence() { clear(); }
+
+    void set();
+    bool isSet() const { return sync_ != nullptr; }
+    /// The GPU has come past it; then it is no longer set.
+    bool passed();
+    void clear();
+    void forget() { sync_ = nullptr; }
+
+  private:
+    GLsync sync_ = nullptr;
+};
+
 /// A program on its way: compile and link are asked for at once, and only looked at when done.
 class Program {
   public:

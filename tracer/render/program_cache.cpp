@@ -54,7 +54,7 @@ std::shared_ptr<CachedProgram> ProgramCache::get(const Features& features, Probl
 
 ProgramState ProgramCache::poll(CachedProgram& entry, const std::function<void()>& warmUp, Problems& problems) {
     if (entry.state != ProgramState::Compiling) return entry.state;
-    if (!entry.drawn) {
+    if (!entry.drawn.isSet()) {
         if (!entry.program.finished(pollable_)) return entry.state;
         if (!entry.program.linked()) {
             explain(entry, problems);
@@ -62,19 +62,18 @@ ProgramState ProgramCache::poll(CachedProgram& entry, const std::function<void()
         }
         bindInterface(entry);
         warmUp();
-        entry.drawn = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-        glFlush();
+        entry.drawn.set();
     }
-    const GLenum waited = glClientWaitSync(entry.drawn, GL_SYNC_FLUSH_COMMANDS_BIT, 0);
-    if (waited == GL_TIMEOUT_EXPIRED) return entry.state;
-    glDeleteSync(entry.drawn);
-    entry.drawn = nullptr;
+    if (!entry.drawn.passed()) return entry.state;
     entry.stats.compileMs = (seconds() - entry.started) * 1e3;
     return entry.state = ProgramState::Ready;
 }
 
 void ProgramCache::forget() {
-    for (auto& [text, entry] : programs_) entry->program.forget();
+    for (auto& [text, entry] : programs_) {
+        entry->program.forget();
+        entry->drawn.forget();
+    }
     programs_.clear();
 }
 

@@ -24,7 +24,7 @@ struct CachedProgram {
     ProgramState state = ProgramState::Compiling;
     ProgramStats stats;
     double started = 0;     ///< seconds, monotonic clock
-    GLsync drawn = nullptr; ///< signalled when the first draw is done
+    gl::Fence drawn;    ///< passed when the first draw is done
 };
 
 class ProgramCache {

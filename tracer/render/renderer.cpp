@@ -5,7 +5,7 @@
 #include "tracer/render/scene_data.h"
 
 #include <algorithm>
-#include <bit>
+#include <chrono>
 #include <cmath>
 #include <map>
 #include <thread>
@@ -61,6 +61,17 @@ std::vector<std::string> facesOf(const Scene& scene) {
     return faces;
 }
 
+double monotonicSeconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// The same view with fewer pixels.
+View scaled(View view, double scale) {
+    view.width = std::max(1, int(std::lround(view.width * scale)));
+    view.height = std::max(1, int(std::lround(view.height * scale)));
+    return view;
+}
+
 /// A scene with its images on the GPU. Scenes that follow one another do not share textures: the old one draws on until
 /// the new one's program is ready.
 struct LoadedScene {
@@ -81,7 +92,10 @@ struct Renderer::Impl {
     gl::Buffer frameBuffer, sceneBuffer;
     gl::Texture sceneTexture;
     int sceneRows = 0;
-    gl::Target scaled, output, warm;
+    gl::Target picture, aside, output, warm;
+    gl::Fence drawing;
+    double asked = 0, drawSeconds = 0;
+    unsigned version = 0;
 
     std::shared_ptr<LoadedScene> wantedScene, drawnScene;
     std::shared_ptr<CachedProgram> wanted, drawn;
@@ -182,6 +196,7 @@ struct Renderer::Impl {
     /// From here on the wanted program draws, once it can.
     void adopt() {
         if (!wanted || wanted->state != ProgramState::Ready) return;
+        ++version;
         drawn = wanted;
         drawnScene = wantedScene;
         drawnSettings = settings;
@@ -237,7 +252,6 @@ struct Renderer::Impl {
         glViewport(0, 0, view.width, view.height);
         glDisable(GL_BLEND);
         glDisable(GL_DEPTH_TEST);
-        glDisable(GL_SCISSOR_TEST);
         glDrawArrays(GL_TRIANGLES, 0, 3);
     }
 
@@ -245,16 +259,40 @@ struct Renderer::Impl {
         drawInto(framebuffer, view, *drawn, *drawnScene, drawnSettings, encode);
     }
 
-    void drawScaled(const View& view, GLuint framebuffer) {
-        View small = view;
-        small.width = std::max(1, int(std::lround(view.width * settings.scale)));
-        small.height = std::max(1, int(std::lround(view.height * settings.scale)));
-        resize(scaled, small.width, small.height, GL_RGBA8);
-        drawNow(small, scaled.framebuffer.get(), true);
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, scaled.framebuffer.get());
+    // Pictures go into a target of our own and from there to the window, also at full scale: some drivers compile a program
+    // anew for each format of target, and the window's differs.
+    void drawPicture(const View& view) {
+        resize(picture, view.width, view.height, GL_RGBA8);
+        asked = monotonicSeconds();
+        drawNow(view, picture.framebuffer.get(), true);
+        drawing.set();
+    }
+
+    void drawBand(const View& view, int from, int to) {
+        resize(aside, view.width, view.height, GL_RGBA8);
+        glScissor(0, from, view.width, to - from);
+        glEnable(GL_SCISSOR_TEST);
+        asked = monotonicSeconds();
+        drawNow(view, aside.framebuffer.get(), true);
+        drawing.set();
+        glDisable(GL_SCISSOR_TEST);
+    }
+
+    bool busy() {
+        if (!drawing.isSet()) return false;
+        if (!drawing.passed()) return true;
+        drawSeconds = monotonicSeconds() - asked;
+        return false;
+    }
+
+    static void stretch(const gl::Target& from, const View& view, GLuint framebuffer) {
+        const bool same = from.width == view.width && from.height == view.height;
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer.get());
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-        glBlitFramebuffer(0, 0, small.width, small.height, 0, 0, view.width, view.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
+        glBlitFramebuffer(0, 0, from.width, from.height, 0, 0, view.width, view.height, GL_COLOR_BUFFER_BIT,
+                          same ? GL_NEAREST : GL_LINEAR);
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+        glViewport(0, 0, view.width, view.height);
     }
 
     static void resize(gl::Target& target, int width, int height, GLenum format) {
@@ -301,12 +339,14 @@ bool Renderer::setScene(const Scene& scene, Problems& problems) {
 
 void Renderer::setImage(const std::string& name, const Image& image) {
     impl_->pictures[name] = image;
+    ++impl_->version;
     if (impl_->wantedScene) impl_->imageArrived(*impl_->wantedScene, name);
     if (impl_->drawnScene && impl_->drawnScene != impl_->wantedScene) impl_->imageArrived(*impl_->drawnScene, name);
 }
 
 void Renderer::configure(const Settings& settings) {
     impl_->settings = settings;
+    ++impl_->version;
     impl_->choose();
     // What is only a number acts at once, also while a new program compiles.
     if (impl_->drawn) impl_->drawnSettings = settings;
@@ -333,13 +373,24 @@ bool Renderer::finish(Problems& problems) {
 
 bool Renderer::canDraw() const { return impl_->drawn != nullptr; }
 
-void Renderer::draw(const View& view, unsigned framebuffer) {
+void Renderer::draw(const View& view, double scale, unsigned framebuffer) {
     if (!impl_->drawn || view.width <= 0 || view.height <= 0) return;
-    if (impl_->settings.scale < 1)
-        impl_->drawScaled(view, framebuffer);
-    else
-        impl_->drawNow(view, framebuffer, true);
+    impl_->drawPicture(scaled(view, scale));
+    Impl::stretch(impl_->picture, view, framebuffer);
 }
+
+void Renderer::drawRows(const View& view, double scale, int from, int to) {
+    if (impl_->drawn && from < to) impl_->drawBand(scaled(view, scale), from, to);
+}
+
+void Renderer::show(const View& view, bool aside, unsigned framebuffer) {
+    const gl::Target& target = aside ? impl_->aside : impl_->picture;
+    if (target.framebuffer) Impl::stretch(target, view, framebuffer);
+}
+
+bool Renderer::busy() { return impl_->busy(); }
+double Renderer::drawSeconds() const { return impl_->drawSeconds; }
+unsigned Renderer::version() const { return impl_->version; }
 
 FloatImage Renderer::readOutput(const View& view, Problems& problems) {
     if (!impl_->drawOutput(view, GL_RGBA32F, false, problems)) return {};
@@ -390,7 +441,8 @@ void Renderer::contextLost() {
     i.sceneBuffer.forget();
     i.sceneTexture.forget();
     i.sceneRows = 0;
-    for (gl::Target* target : {&i.scaled, &i.output, &i.warm}) {
+    i.drawing.forget();
+    for (gl::Target* target : {&i.picture, &i.aside, &i.output, &i.warm}) {
         target->color.forget();
         target->framebuffer.forget();
         *target = {};

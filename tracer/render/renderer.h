@@ -20,6 +20,8 @@ struct View {
     CameraPose camera;
     double time = 0;
     int width = 0, height = 0;
+
+    bool operator==(const View&) const = default;
 };
 
 /// How far the program for the wanted scene and settings has come.
@@ -52,8 +54,20 @@ class Renderer {
     bool finish(Problems&);
     bool canDraw() const;
 
-    /// Draws the picture into the framebuffer object `framebuffer` (0 = the window).
-    void draw(const View&, unsigned framebuffer);
+    /// Draws the picture at `scale` of its resolution and stretches it over the framebuffer object `framebuffer` (0 = the
+    /// window).
+    void draw(const View&, double scale, unsigned framebuffer);
+    /// Draws rows `from` … `to` − 1 (0 = the lowest) of the picture at `scale`, aside: nothing is shown.
+    void drawRows(const View&, double scale, int from, int to);
+    /// Shows again what draw() drew last, or, `aside`, what drawRows() has drawn.
+    void show(const View&, bool aside, unsigned framebuffer);
+
+    /// The GPU has not finished what draw() asked for last.
+    bool busy();
+    /// Seconds from asking for the last finished draw() to its last pixel, as busy() saw it.
+    double drawSeconds() const;
+    /// Counts what changes pictures beside the view: settings, images, programs.
+    unsigned version() const;
     /// Draws the output the settings name into float32, unclamped and not encoded, and reads it back.
     FloatImage readOutput(const View&, Problems&);
     /// Draws what a window would show, and reads it back.

@@ -42,6 +42,7 @@ struct Settings {
     double speed = 10;
     glm::ivec2 size{800, 600};
     double scale = 1;
+    bool adapt = true;
     bool vsync = true;
     DataPath data = DataPath::Auto;
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "tracer/render/camera.h"
+#include "tracer/render/pace.h"
 #include "tracer/render/renderer.h"
 #include "tracer/render/settings.h"
 
@@ -49,6 +50,7 @@ class Viewer {
     /// False while there is nothing to draw yet.
     bool frame(double now, unsigned framebuffer, Problems&);
 
+    bool sharp() const; ///< the picture shown has all the resolution that the settings allow
     double framesPerSecond() const { return fps_; } ///< over at least half a second; 0 before that
     std::string title() const;                      ///< `Gnomon – lite – 61 FPS – depth 4, shadows hard`
 
@@ -63,6 +65,8 @@ class Viewer {
     void changed(const SettingRow&);
     void configure();
     void placeCamera();
+    bool drawFrame(double now, unsigned framebuffer);
+    void refine(unsigned framebuffer);
     void countFrame(double now);
 
     Settings settings_;
@@ -76,6 +80,16 @@ class Viewer {
     int width_ = 0, height_ = 0;
     double lastFrame_ = -1, countFrom_ = -1, fps_ = 0;
     int counted_ = 0;
+
+    /// What was drawn last, and how much of the same in full resolution since.
+    struct Drawn {
+        View view;
+        unsigned version = 0;
+        double scale = 0;
+        int rows = 0;
+    };
+    Pace pace_;
+    Drawn last_;
 };
 
 } // namespace gnomon

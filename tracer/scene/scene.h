@@ -16,6 +16,8 @@ namespace gnomon {
 struct CameraPose {
     glm::dvec3 eye{0, 0, 3}, target{0, 0, 0}, up{0, 1, 0};
     double fov = 36.86989764584402; ///< a canvas of half height 1 at distance 3
+
+    bool operator==(const CameraPose&) const = default;
 };
 
 /// How an image lies on a surface: texel coordinate = uv * scale + scroll * time, repeated.

@@ -13,13 +13,14 @@ export function makeApi() {
     fail = reject;
   });
   ready.catch(() => {}); // the page says it, a script may not ask
-  const api = { ready, on, firstFrameMs: null };
+  const api = { ready, on, firstFrameMs: null, sharpFrameMs: null };
   window.gnomon = api;
 
   return {
     emit,
     fail,
     first: (ms) => void (api.firstFrameMs = ms),
+    sharp: (ms) => void (api.sharpFrameMs = ms),
 
     /** @param page what connect() in main.js makes */
     open({ tracer, session, set, load }) {

@@ -98,6 +98,7 @@ function connect(tracer, sceneIndex) {
       api.first(ms);
       performance.mark('gnomon.firstFrame');
     },
+    sharp: (ms) => api.sharp(ms),
     frame: () => document.body.classList.add('drawing'),
     scene(name) {
       scenes.show(name);
@@ -202,20 +203,6 @@ function listen(page) {
   });
 }
 
-/** Says once how to get a smoother picture, when it has been slow for a while. */
-const hintWhereSlow = (() => {
-  const slow = 8; // frames a second
-  const patience = 16; // times looked at
-  let times = 0;
-  return (fps, settings) => {
-    const could = query.size === null && settings.get('scale') === '1' && fps > 0 && fps < slow;
-    times = could ? times + 1 : Math.min(times, 0);
-    if (times !== patience) return;
-    say.note('Slow here? A smaller Scale, under Settings › Canvas, makes it smoother', 8);
-    times = -Infinity;
-  };
-})();
-
 /** Keeps read-out, panel, buttons and address in step with the tracer, whoever changed it. */
 function watch(page) {
   const { tracer } = page;
@@ -225,7 +212,6 @@ function watch(page) {
     showReadout({
       title: tracer.title(), fps: tracer.framesPerSecond(), settings, width: canvas.width, height: canvas.height,
     });
-    hintWhereSlow(tracer.framesPerSecond(), settings);
     const now = tracer.urlQuery();
     if (now === before) return;
     before = now;

@@ -9,7 +9,7 @@ const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
 /**
  * @param task begins a task of the loading bar, see progress.js
- * @param emit tells of: 'problem' text · 'frame' · 'first' ms since navigation · 'scene' name · 'lost' · 'restored'
+ * @param emit tells of: 'problem' text · 'frame' · 'first' and 'sharp' (in full resolution) ms since navigation · 'scene' name · 'lost' · 'restored'
  */
 export function startSession({ tracer, canvas, task, emit }) {
   const gl = canvas.getContext('webgl2'); // the tracer's own context: asked only whether it lives and is done
@@ -43,6 +43,7 @@ export function startSession({ tracer, canvas, task, emit }) {
   // --- frames ---------------------------------------------------------------------------------------------------------
 
   let frames = 0;
+  let sharp = false; // a picture in full resolution has been shown
   let letImagesIn; // each blocks the page for a moment: the first frame goes before them
   const imagesMayCome = new Promise((resolve) => (letImagesIn = resolve));
   setTimeout(letImagesIn, mostPatienceMs); // it may never come, in a hidden tab or with a shader that fails
@@ -60,6 +61,10 @@ export function startSession({ tracer, canvas, task, emit }) {
         emit('first', performance.now());
         letImagesIn();
       });
+    if (!sharp && tracer.sharp()) {
+      sharp = true;
+      whenDrawn().then(() => emit('sharp', performance.now()));
+    }
     emit('frame');
   };
 
