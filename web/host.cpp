@@ -1,7 +1,8 @@
 // The browser host: a WebGL2 context on the page's canvas and a plain C interface over Viewer for page/tracer.js.
 //
-// Text goes in and out as UTF-8. A `const char*` that comes out stays valid until the next call; where it tells of problems,
-// empty means that there are none. The page owns events, time and loading; what they mean is decided in Viewer.
+// Text goes in and out as UTF-8. A `const char*` that comes out stays valid until the next call; where it tells of
+// problems, empty means that there are none. The page owns events, time and loading; what they mean is decided in
+// Viewer.
 #include "tracer/gl/gl.h"
 #include "tracer/image.h"
 #include "tracer/render/settings.h"
@@ -42,7 +43,8 @@ const char* give(std::string text) {
 }
 
 /// Calls `use(key, value)` for each line `key=value`.
-template <class Use> void eachLine(std::string_view lines, Use use) {
+template<class Use>
+void eachLine(std::string_view lines, Use use) {
     while (!lines.empty()) {
         const std::string_view line = lines.substr(0, lines.find('\n'));
         lines.remove_prefix(std::min(line.size() + 1, lines.size()));
@@ -134,8 +136,7 @@ EMSCRIPTEN_KEEPALIVE const char* setSetting(const char* key, const char* text, c
 EMSCRIPTEN_KEEPALIVE const char* settingsText() {
     const Settings settings = host.viewer->settings();
     std::string lines;
-    for (const SettingRow& row : settingsTable())
-        lines += std::string(row.key) + '=' + textOf(row, settings) + '\n';
+    for (const SettingRow& row : settingsTable()) lines += std::string(row.key) + '=' + textOf(row, settings) + '\n';
     return give(std::move(lines));
 }
 
@@ -155,6 +156,8 @@ EMSCRIPTEN_KEEPALIVE void resize(int width, int height) { host.viewer->resize(wi
 EMSCRIPTEN_KEEPALIVE int frame(double now) { return host.viewer->frame(now, 0, host.problems); }
 /// The picture shown has its full resolution.
 EMSCRIPTEN_KEEPALIVE int sharp() { return host.viewer->sharp(); }
+/// The resolution of the picture shown over that of the canvas.
+EMSCRIPTEN_KEEPALIVE double shownScale() { return host.viewer->shownScale(); }
 /// Problems that frames had since the last call.
 EMSCRIPTEN_KEEPALIVE const char* takeProblems() { return give(toString(std::exchange(host.problems, {}))); }
 

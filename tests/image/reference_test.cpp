@@ -1,8 +1,8 @@
 /// Pictures of the scenes against committed references. The last line of defence: it says that something changed.
 ///
-/// Tolerance: 99.8 % of the pixels within 3/255 in every channel, mean difference at most 0.25/255. The references were drawn by
-/// Mesa's llvmpipe; another processor's vector width may round the last bit of a ray otherwise and flip a mirror's edge.
-/// `scripts/test image --accept` writes the references anew; look at them before committing.
+/// Tolerance: 99.8 % of the pixels within 3/255 in every channel, mean difference at most 0.25/255. The references were
+/// drawn by Mesa's llvmpipe; another processor's vector width may round the last bit of a ray otherwise and flip a
+/// mirror's edge. `scripts/test image --accept` writes the references anew; look at them before committing.
 
 #include "native/image_file.h"
 #include "tests/support/offscreen.h"
@@ -40,8 +40,7 @@ Image readPng(const std::string& file) {
     std::ifstream in(file, std::ios::binary);
     const std::vector<char> bytes{std::istreambuf_iterator<char>(in), {}};
     Problems problems;
-    const auto image =
-        decodeImage(file, {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, problems);
+    const auto image = decodeImage(file, {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, problems);
     EXPECT_EQ(toString(problems), "");
     return image.value_or(Image{});
 }

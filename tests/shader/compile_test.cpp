@@ -1,8 +1,10 @@
-/// Every scene × output × setting compiles: in glslang, which knows the standard, and in the GLs at hand, in both preludes.
+/// Every scene × output × setting compiles: in glslang, which knows the standard, and in the GLs at hand, in both
+/// preludes.
 
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
 #include "tracer/gl/objects.h"
+#include "tracer/shader/library.h"
 #include "tracer/shader/shader_builder.h"
 
 #include <gtest/gtest.h>
@@ -11,6 +13,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 namespace gnomon {
 namespace {
@@ -31,7 +34,8 @@ std::vector<Variant> variants(const std::string& sceneName) {
             Settings settings;
             settings.data = data;
             const auto add = [&](const std::string& what) {
-                all.push_back({sceneName + (es300 ? " es300 " : " gl330 ") + (data == DataPath::Block ? "block " : "texture ") + what,
+                all.push_back({sceneName + (es300 ? " es300 " : " gl330 ") +
+                                   (data == DataPath::Block ? "block " : "texture ") + what,
                                featuresOf(scene, settings, 1024, es300)});
             };
             for (Aov aov : {Aov::Color, Aov::Distance, Aov::Position, Aov::Normal, Aov::Object, Aov::Visibility}) {
@@ -93,6 +97,28 @@ TEST_P(Compile, LinksInOsMesaInBothPreludes) { compilesIn(ContextKind::OsMesa, a
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Compile, testing::Values("lite", "pro", "torus"),
                          [](const auto& test) { return std::string(test.param); });
+
+void namesThePlaceOfAFault(ContextKind kind) {
+    offscreen(kind);
+    ShaderSource source = sourceOf(variants("lite")[0].features);
+    const std::string right = "return Sphere(a.xyz, a.w);";
+    const auto at = source.text.find(right);
+    ASSERT_NE(at, std::string::npos);
+    source.text.replace(at, right.size(), "return Sphere(a.xyz, nonsense);");
+    Problems problems;
+    const gl::Program program(buildCanvas(variants("lite")[0].features, problems).text, source.text);
+    ASSERT_FALSE(program.linked());
+    const Problems mapped = mapLog(program.fragmentLog(), source);
+    ASSERT_FALSE(mapped.empty());
+    EXPECT_EQ(mapped[0].file, "shaders/primitive/sphere.glsl") << program.fragmentLog();
+    std::istringstream file{std::string(shaderText("primitive/sphere.glsl"))};
+    std::string line;
+    for (int i = 0; i < mapped[0].line; ++i) std::getline(file, line);
+    EXPECT_NE(line.find(right), std::string::npos) << mapped[0].line;
+}
+
+TEST(CompileError, NamesFileAndLineOfTheLibraryInOsMesa) { namesThePlaceOfAFault(ContextKind::OsMesa); }
+TEST(CompileError, NamesFileAndLineOfTheLibraryInEgl) { namesThePlaceOfAFault(ContextKind::Egl); }
 
 TEST(CompileOnEgl, LinksEveryVariantOfLiteAndTorus) {
     for (const char* scene : {"lite", "torus"}) compilesIn(ContextKind::Egl, variants(scene));

@@ -22,8 +22,10 @@ Settings sized(int width, int height) {
 /// Looks straight down on a floor at y = 0 from a height of 10; `objects` and the light stand over it.
 Scene floorUnder(const std::string& light, const std::string& objects) {
     return sceneFrom(R"({"camera": {"eye": [0, 10, 0], "target": [0, 0, 0], "up": [0, 0, -1], "fov": 30},
-        "lights": [{"point": {"position": )" + light + R"(}}],
-        "objects": [{"plane": {"point": [0, 0, 0], "normal": [0, 1, 0]}})" + (objects.empty() ? "" : ",") + objects + "]}");
+        "lights": [{"point": {"position": )" +
+                     light + R"(}}],
+        "objects": [{"plane": {"point": [0, 0, 0], "normal": [0, 1, 0]}})" +
+                     (objects.empty() ? "" : ",") + objects + "]}");
 }
 
 double visibilityInTheMiddle(const Scene& scene) {
@@ -32,16 +34,18 @@ double visibilityInTheMiddle(const Scene& scene) {
 }
 
 TEST(Shadow, FallsBehindAnOccluderBetweenPointAndLight) {
-    EXPECT_EQ(visibilityInTheMiddle(floorUnder("[4, 4, 0]", R"({"sphere": {"center": [2, 2, 0], "radius": 0.5}})")), 0.0);
+    EXPECT_EQ(visibilityInTheMiddle(floorUnder("[4, 4, 0]", R"({"sphere": {"center": [2, 2, 0], "radius": 0.5}})")),
+              0.0);
 }
 
 TEST(Shadow, DoesNotComeFromAnOccluderBehindTheLight) {
-    EXPECT_EQ(visibilityInTheMiddle(floorUnder("[4, 4, 0]", R"({"sphere": {"center": [6, 6, 0], "radius": 0.5}})")), 1.0);
+    EXPECT_EQ(visibilityInTheMiddle(floorUnder("[4, 4, 0]", R"({"sphere": {"center": [6, 6, 0], "radius": 0.5}})")),
+              1.0);
 }
 
 TEST(Shadow, DoesNotComeFromAnObjectThatCastsNone) {
-    EXPECT_EQ(visibilityInTheMiddle(
-                  floorUnder("[4, 4, 0]", R"({"sphere": {"center": [2, 2, 0], "radius": 0.5}, "casts_shadow": false})")),
+    EXPECT_EQ(visibilityInTheMiddle(floorUnder(
+                  "[4, 4, 0]", R"({"sphere": {"center": [2, 2, 0], "radius": 0.5}, "casts_shadow": false})")),
               1.0);
 }
 
@@ -56,7 +60,8 @@ TEST(Shadow, ComesFromEveryKindOfShape) {
 }
 
 TEST(Shadow, IsCastByAnObjectOnItself) {
-    // From above one sees the tube's inner slope on the far side of the hole; the light stands low behind the near side.
+    // From above one sees the tube's inner slope on the far side of the hole; the light stands low behind the near
+    // side.
     const Scene scene = sceneFrom(R"({"camera": {"eye": [0, 10, 0], "target": [0, 0, 0], "up": [0, 0, -1], "fov": 20},
         "lights": [{"point": {"position": [20, 1, 0]}}],
         "objects": [{"torus": {"center": [0, 0, 0], "axis": [0, 1, 0], "major_radius": 1, "minor_radius": 0.4}}]})");
@@ -90,7 +95,8 @@ TEST(Texture, ColoursItsOwnSurfaceOnly) {
     const auto scene = [](const char* texture) {
         return sceneFrom(std::string(R"({"camera": {"eye": [0, 0, 5], "target": [0, 0, 0]},
             "background": {"color": [1, 1, 1]}, "materials": {"m": {"ambient": 0, "diffuse": 0, "coat": {"ior": 1.5})") +
-                         texture + R"(}}, "objects": [{"sphere": {"center": [0, 0, 0], "radius": 1}, "material": "m"}]})");
+                         texture +
+                         R"(}}, "objects": [{"sphere": {"center": [0, 0, 0], "radius": 1}, "material": "m"}]})");
     };
     const glm::vec3 plain = colorInTheMiddle(scene(""));
     const glm::vec3 textured = colorInTheMiddle(scene(R"(, "texture": "earth-color")"));
@@ -110,7 +116,8 @@ TEST(Conductor, ReflectsByItsComplexIndexPerChannel) {
 
 // Clear glass in a white room is invisible: what is reflected and what goes through add up to all the light.
 TEST(Glass, NeitherAddsNorLosesLightInAWhiteRoom) {
-    const Scene scene = sceneFrom(R"({"camera": {"eye": [0, 0, 5], "target": [0, 0, 0]}, "background": {"color": [1, 1, 1]},
+    const Scene scene =
+        sceneFrom(R"({"camera": {"eye": [0, 0, 5], "target": [0, 0, 0]}, "background": {"color": [1, 1, 1]},
         "materials": {"glass": {"ambient": 0, "diffuse": 0, "dielectric": {"ior": 1.5}}},
         "objects": [{"sphere": {"center": [0, 0, 0], "radius": 1}, "material": "glass"}]})");
     Settings settings = sized(96, 96);

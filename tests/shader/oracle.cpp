@@ -35,7 +35,10 @@ Vec gradient(const Shape& s, Vec p) {
     return glm::normalize(g);
 }
 
-struct Candidate { Real t = kNone, margin = 1e30L; Vec normal{0}; };
+struct Candidate {
+    Real t = kNone, margin = 1e30L;
+    Vec normal{0};
+};
 
 /// First change of sign of the distance between the bounds of a sphere about the shape.
 Candidate closed(const Shape& s, Vec o, Vec d) {

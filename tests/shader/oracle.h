@@ -1,5 +1,5 @@
-/// What a ray meets, worked out on the CPU in long double by other means than the shader's: dense sampling of the signed
-/// distance along the ray between bounds, then bisection, for closed shapes; direct solution for flat ones.
+/// What a ray meets, worked out on the CPU in long double by other means than the shader's: dense sampling of the
+/// signed distance along the ray between bounds, then bisection, for closed shapes; direct solution for flat ones.
 #pragma once
 
 #include "tracer/render/camera.h"
@@ -14,7 +14,7 @@ namespace gnomon::test {
 using Vec = glm::tvec3<long double>;
 
 struct OracleHit {
-    int object = -1;       ///< index in the scene, -1: nothing
+    int object = -1; ///< index in the scene, -1: nothing
     long double t = 0;
     Vec point{0}, normal{0}; ///< normal against the ray
     /// How far the ray is from deciding otherwise, in scene units: from the nearest silhouette it passes or grazes.

@@ -74,7 +74,8 @@ class PrimaryHits : public testing::TestWithParam<Case> {
 
 TEST_P(PrimaryHits, NameTheObjectThatTheOracleNames) {
     const FloatImage image = output(Aov::Object);
-    eachCertainPixel([&](int x, int y, const OracleHit& hit) { EXPECT_EQ(int(*image.at(x, y)), hit.object) << x << ' ' << y; });
+    eachCertainPixel(
+        [&](int x, int y, const OracleHit& hit) { EXPECT_EQ(int(*image.at(x, y)), hit.object) << x << ' ' << y; });
 }
 
 TEST_P(PrimaryHits, LieAtTheOraclesDistance) {
@@ -98,7 +99,8 @@ TEST_P(PrimaryHits, LieOnTheOraclesPoint) {
         pixelRay(scene.camera, x, y, kWidth, kHeight, origin, direction);
         const long double cosine = hit.object < 0 ? 1 : std::abs(glm::dot(hit.normal, direction));
         const float* p = image.at(x, y);
-        EXPECT_LE(double(glm::length(Vec(p[0], p[1], p[2]) - hit.point)), double(2 * slack(hit.t + 20) / cosine)) << x << ' ' << y;
+        EXPECT_LE(double(glm::length(Vec(p[0], p[1], p[2]) - hit.point)), double(2 * slack(hit.t + 20) / cosine))
+            << x << ' ' << y;
     });
 }
 
@@ -116,12 +118,12 @@ TEST_P(PrimaryHits, HaveTheOraclesNormal) {
     });
 }
 
-INSTANTIATE_TEST_SUITE_P(Views, PrimaryHits,
-                         testing::Values(Case{"lite", 0, {0, 0, 35}, {0, 0, 0}}, Case{"lite", 3.7, {12, 4, 20}, {0, -1, 0}},
-                                         Case{"pro", 0, {0, 0, 35}, {0, 0, 0}}, Case{"pro", 1.5, {14, 2, 8}, {9, -1, 0}},
-                                         Case{"torus", 0, {0, 1.6, 4.5}, {0, 0, 0}},
-                                         Case{"torus", 0, {0.3, 0.2, 40}, {0, 0, 0}}),
-                         [](const auto& test) { return std::string(test.param.scene) + std::to_string(test.index); });
+INSTANTIATE_TEST_SUITE_P(
+    Views, PrimaryHits,
+    testing::Values(Case{"lite", 0, {0, 0, 35}, {0, 0, 0}}, Case{"lite", 3.7, {12, 4, 20}, {0, -1, 0}},
+                    Case{"pro", 0, {0, 0, 35}, {0, 0, 0}}, Case{"pro", 1.5, {14, 2, 8}, {9, -1, 0}},
+                    Case{"torus", 0, {0, 1.6, 4.5}, {0, 0, 0}}, Case{"torus", 0, {0.3, 0.2, 40}, {0, 0, 0}}),
+    [](const auto& test) { return std::string(test.param.scene) + std::to_string(test.index); });
 
 TEST(Outputs, GiveInfinityZeroAndMinusOneWhereNothingIsHit) {
     const Scene scene = sceneFrom(R"({"camera": {"eye": [0, 0, 5], "target": [0, 0, 9]},

@@ -18,10 +18,10 @@ Context& offscreen(ContextKind = ContextKind::OsMesa);
 class Drawing {
   public:
     Drawing(const Scene&, Settings);
-    FloatImage output();  ///< what settings.aov names
-    Image picture();      ///< as a window would show it
+    FloatImage output(); ///< what settings.aov names
+    Image picture();     ///< as a window would show it
     Renderer& renderer() { return renderer_; }
-    View view;            ///< the scene's camera at settings.time and settings.size
+    View view; ///< the scene's camera at settings.time and settings.size
 
   private:
     Renderer renderer_;

@@ -39,8 +39,8 @@ TEST(ShaderBuilder, BringsToriIntoProAndTorus) {
 
 TEST(ShaderBuilder, LeavesOutEveryShapeAndEffectThatASceneDoesNotUse) {
     const std::string text = source(sceneFrom(R"({"objects": [{"sphere": {"center": [0, 0, 0], "radius": 1}}]})"));
-    for (const char* word : {"plane", "disc", "triangle", "torus", "fresnel", "stack", "glow", "image", "samplerCube sky",
-                             "normalMap >= 0", "occluded", "refract"})
+    for (const char* word : {"plane", "disc", "triangle", "torus", "fresnel", "stack", "glow", "image",
+                             "samplerCube sky", "normalMap >= 0", "occluded", "refract"})
         EXPECT_FALSE(mentions(text, word)) << word;
 }
 
@@ -104,8 +104,9 @@ TEST(ShaderBuilder, MapsTheLogsOfAllDriversToFilesAndLines) {
     const ShaderSource built = buildShader("pass/trace.frag", features(sceneNamed("lite")), problems);
     const auto sphere = std::ranges::find(built.lines, std::string_view("primitive/sphere.glsl"), &SourceLine::file);
     const std::string number = std::to_string(sphere - built.lines.begin() + 1);
-    for (const std::string& log : {"0:" + number + "(3): error: `x' undeclared", "ERROR: 0:" + number + ": 'x' : undeclared",
-                                   "0(" + number + ") : error C1008: undefined variable"}) {
+    for (const std::string& log :
+         {"0:" + number + "(3): error: `x' undeclared", "ERROR: 0:" + number + ": 'x' : undeclared",
+          "0(" + number + ") : error C1008: undefined variable"}) {
         const Problems mapped = mapLog(log, built);
         ASSERT_EQ(mapped.size(), 1u) << log;
         EXPECT_EQ(mapped[0].file, "shaders/primitive/sphere.glsl") << log;

@@ -68,16 +68,17 @@ async function startScreen() {
   return { display, stop: () => server.kill() };
 }
 
-/** Starts `chromium` or `firefox`; close() ends it and removes what it left. */
-export async function launch(name) {
+/** Starts `chromium` or `firefox`, as on a system that asks for little motion where `calm`; close() ends it and removes what it left. */
+export async function launch(name, { calm = false } = {}) {
   const program = programs[name];
   if (!program) throw new Error(`${name} is not installed; set ${name.toUpperCase()} to its path`);
   const profile = await mkdtemp(join(tmpdir(), `gnomon-${name}-`));
   const screen = name === 'firefox' ? await startScreen() : null;
   const settings =
     name === 'firefox'
-      ? { browser: 'firefox', headless: false, extraPrefsFirefox: firefoxPreferences, env: { ...process.env, DISPLAY: screen.display, MOZ_X11_EGL: '0' } }
-      : { browser: 'chrome', headless: true, args: chromiumArguments };
+      ? { browser: 'firefox', headless: false, extraPrefsFirefox: { ...firefoxPreferences, ...(calm ? { 'ui.prefersReducedMotion': 1 } : {}) },
+          env: { ...process.env, DISPLAY: screen.display, MOZ_X11_EGL: '0' } }
+      : { browser: 'chrome', headless: true, args: [...chromiumArguments, ...(calm ? ['--force-prefers-reduced-motion'] : [])] };
   const tidy = async () => {
     screen?.stop();
     await rm(profile, { recursive: true, force: true, maxRetries: 5, retryDelay: 200 });

@@ -312,11 +312,33 @@ for (const name of browserNames)
       });
     });
 
-    test('starts paused where the system asks for little motion', { skip: name !== 'chromium' }, async () => {
-      const before = (own) => own.emulateMediaFeatures([{ name: 'prefers-reduced-motion', value: 'reduce' }]);
-      await withPage(small, { before }, async (own) => {
+    test('starts paused where the system asks for little motion', async () => {
+      const calm = await launch(name, { calm: true });
+      try {
+        const own = await openPage(calm, `${server.url}?${small}`);
         assert.equal(await get(own, 'pause'), 'on');
         assert.ok(!(await own.evaluate(() => location.search)).includes('pause'));
+        own.verify();
+      } finally {
+        await calm.close();
+      }
+    });
+
+    test('a still picture becomes sharp, also where the GPU is slow', async () => {
+      const shown = (own) => own.evaluate(() => window.gnomon.sharpFrameMs);
+      await withPage('scene=pro&size=320x240&pause=on', {}, async (own) => {
+        await until('the full resolution', () => shown(own));
+        assert.ok((await shown(own)) >= (await own.evaluate(() => window.gnomon.firstFrameMs)));
+      });
+    });
+
+    test('without adapting every picture has its full resolution', async () => {
+      await withPage(`${small}&adapt=off`, {}, async (own) => {
+        const [first, sharp] = await own.evaluate(async () => {
+          while (!window.gnomon.sharpFrameMs) await new Promise((resolve) => setTimeout(resolve, 20));
+          return [window.gnomon.firstFrameMs, window.gnomon.sharpFrameMs];
+        });
+        assert.ok(Math.abs(first - sharp) < 500, `first ${first}, sharp ${sharp}`);
       });
     });
 

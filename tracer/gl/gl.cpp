@@ -51,7 +51,10 @@ bool oldContext(int version, Problems& problems) {
     const bool es = text(GL_VERSION).find("OpenGL ES") != std::string::npos;
     const int number = GLAD_VERSION_MAJOR(version) * 10 + GLAD_VERSION_MINOR(version);
     if (number >= (es ? 30 : 33)) return false;
-    problems.push_back({{}, 0, {}, "this GL is " + text(GL_VERSION) + "; GL 3.3 or GLES 3.0 is needed",
+    problems.push_back({{},
+                        0,
+                        {},
+                        "this GL is " + text(GL_VERSION) + "; GL 3.3 or GLES 3.0 is needed",
                         "update the graphics driver, or use Mesa's software renderer"});
     return true;
 }

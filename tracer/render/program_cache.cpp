@@ -5,9 +5,7 @@
 namespace gnomon {
 namespace {
 
-double seconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
+double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 /// Why the program did not link, in the words of the driver and the places of the library.
 void explain(const CachedProgram& entry, Problems& problems) {

@@ -23,7 +23,7 @@ struct CachedProgram {
     gl::Program program;
     ProgramState state = ProgramState::Compiling;
     ProgramStats stats;
-    double started = 0;     ///< seconds, monotonic clock
+    double started = 0; ///< seconds, monotonic clock
     gl::Fence drawn;    ///< passed when the first draw is done
 };
 

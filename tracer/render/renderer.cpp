@@ -13,7 +13,7 @@
 namespace gnomon {
 namespace {
 
-constexpr int kDataWidth = 256; // texels a row of the data texture, as shaders/scene.glsl reads it
+constexpr int kDataWidth = 256;             // texels a row of the data texture, as shaders/scene.glsl reads it
 constexpr GLenum kSeamlessCubemap = 0x884F; // GL_TEXTURE_CUBE_MAP_SEAMLESS: always on in GLES, unknown to its header
 
 /// shaders/frame.glsl, in std140.
@@ -57,7 +57,8 @@ bool usedAsColor(const Scene& scene, const std::string& image) {
 std::vector<std::string> facesOf(const Scene& scene) {
     std::vector<std::string> faces;
     if (scene.background.cubemap.empty()) return faces;
-    for (const char* side : {"-px", "-nx", "-py", "-ny", "-pz", "-nz"}) faces.push_back(scene.background.cubemap + side);
+    for (const char* side : {"-px", "-nx", "-py", "-ny", "-pz", "-nz"})
+        faces.push_back(scene.background.cubemap + side);
     return faces;
 }
 
@@ -125,9 +126,10 @@ struct Renderer::Impl {
         const std::string& name = loaded.slots[slot];
         const auto found = pictures.find(name);
         const bool color = usedAsColor(loaded.scene, name);
-        const Image standIn = usedAsNormalMap(loaded.scene, name) ? flat(128, 128, 255)
-                                                                  : (color ? flat(128, 128, 128) : flat(0, 0, 0));
-        loaded.images[slot] = gl::makeImage(found == pictures.end() ? standIn : found->second, coding(loaded.scene, color));
+        const Image standIn =
+            usedAsNormalMap(loaded.scene, name) ? flat(128, 128, 255) : (color ? flat(128, 128, 128) : flat(0, 0, 0));
+        loaded.images[slot] =
+            gl::makeImage(found == pictures.end() ? standIn : found->second, coding(loaded.scene, color));
     }
 
     void uploadSky(LoadedScene& loaded) {
@@ -135,8 +137,8 @@ struct Renderer::Impl {
         for (const std::string& name : loaded.faces)
             if (const auto found = pictures.find(name); found != pictures.end()) faces.push_back(found->second);
         const bool complete = faces.size() == 6 && std::all_of(faces.begin(), faces.end(), [&](const Image& face) {
-            return face.width == face.height && face.width == faces[0].width;
-        });
+                                  return face.width == face.height && face.width == faces[0].width;
+                              });
         if (!complete) faces.assign(6, flat(8, 10, 18)); // night, until all six faces are there
         loaded.sky = gl::makeCubemap(faces, coding(loaded.scene, true));
     }
@@ -183,7 +185,9 @@ struct Renderer::Impl {
         Settings chosen = settings;
         if (chosen.data == DataPath::Block && sceneTexels(wantedScene->scene) > blockTexels()) {
             chosen.data = DataPath::Texture;
-            pending.push_back({wantedScene->scene.file, 0, {},
+            pending.push_back({wantedScene->scene.file,
+                               0,
+                               {},
                                "the scene takes " + std::to_string(sceneTexels(wantedScene->scene)) +
                                    " texels, a uniform block of this GL holds " + std::to_string(blockTexels()) +
                                    ": its numbers go into a texture",
@@ -213,7 +217,8 @@ struct Renderer::Impl {
         std::vector<glm::vec4> texels = packScene(scene, program.features, time);
         if (program.features.dataBlock) {
             glBindBuffer(GL_UNIFORM_BUFFER, sceneBuffer.get());
-            glBufferData(GL_UNIFORM_BUFFER, GLsizeiptr(texels.size() * sizeof(glm::vec4)), texels.data(), GL_DYNAMIC_DRAW);
+            glBufferData(GL_UNIFORM_BUFFER, GLsizeiptr(texels.size() * sizeof(glm::vec4)), texels.data(),
+                         GL_DYNAMIC_DRAW);
             glBindBufferBase(GL_UNIFORM_BUFFER, kSceneBinding, sceneBuffer.get());
             return;
         }
@@ -259,8 +264,8 @@ struct Renderer::Impl {
         drawInto(framebuffer, view, *drawn, *drawnScene, drawnSettings, encode);
     }
 
-    // Pictures go into a target of our own and from there to the window, also at full scale: some drivers compile a program
-    // anew for each format of target, and the window's differs.
+    // Pictures go into a target of our own and from there to the window, also at full scale: some drivers compile a
+    // program anew for each format of target, and the window's differs.
     void drawPicture(const View& view) {
         resize(picture, view.width, view.height, GL_RGBA8);
         asked = monotonicSeconds();
@@ -285,11 +290,13 @@ struct Renderer::Impl {
         return false;
     }
 
-    static void stretch(const gl::Target& from, const View& view, GLuint framebuffer) {
+    /// The lowest `rows` of a target over as much of the framebuffer as they are of the whole.
+    static void stretch(const gl::Target& from, int rows, const View& view, GLuint framebuffer) {
         const bool same = from.width == view.width && from.height == view.height;
         glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer.get());
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
-        glBlitFramebuffer(0, 0, from.width, from.height, 0, 0, view.width, view.height, GL_COLOR_BUFFER_BIT,
+        const int to = int(std::lround(double(view.height) * rows / from.height));
+        glBlitFramebuffer(0, 0, from.width, rows, 0, 0, view.width, to, GL_COLOR_BUFFER_BIT,
                           same ? GL_NEAREST : GL_LINEAR);
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
         glViewport(0, 0, view.width, view.height);
@@ -315,7 +322,8 @@ struct Renderer::Impl {
             return refuse("this GL cannot draw float32 pictures (EXT_color_buffer_float is missing)",
                           "use another --context");
         resize(output, view.width, view.height, format);
-        if (!output.framebuffer) return refuse("the GL has no memory for a picture of this size", "use a smaller --size");
+        if (!output.framebuffer)
+            return refuse("the GL has no memory for a picture of this size", "use a smaller --size");
         drawNow(view, output.framebuffer.get(), encode);
         glPixelStorei(GL_PACK_ALIGNMENT, 1);
         return true;
@@ -356,7 +364,8 @@ ProgramState Renderer::poll(Problems& problems) {
     problems.insert(problems.end(), impl_->pending.begin(), impl_->pending.end());
     impl_->pending.clear();
     if (!impl_->wanted) return impl_->wantedScene ? ProgramState::Failed : ProgramState::None;
-    const ProgramState state = impl_->programs.poll(*impl_->wanted, [this] { impl_->warmUp(); }, problems);
+    const ProgramState state = impl_->programs.poll(
+        *impl_->wanted, [this] { impl_->warmUp(); }, problems);
     if (state == ProgramState::Ready && impl_->drawn != impl_->wanted) impl_->adopt();
     if (state == ProgramState::Ready && impl_->drawnScene != impl_->wantedScene) impl_->adopt();
     return state;
@@ -376,16 +385,17 @@ bool Renderer::canDraw() const { return impl_->drawn != nullptr; }
 void Renderer::draw(const View& view, double scale, unsigned framebuffer) {
     if (!impl_->drawn || view.width <= 0 || view.height <= 0) return;
     impl_->drawPicture(scaled(view, scale));
-    Impl::stretch(impl_->picture, view, framebuffer);
+    Impl::stretch(impl_->picture, impl_->picture.height, view, framebuffer);
 }
 
 void Renderer::drawRows(const View& view, double scale, int from, int to) {
     if (impl_->drawn && from < to) impl_->drawBand(scaled(view, scale), from, to);
 }
 
-void Renderer::show(const View& view, bool aside, unsigned framebuffer) {
-    const gl::Target& target = aside ? impl_->aside : impl_->picture;
-    if (target.framebuffer) Impl::stretch(target, view, framebuffer);
+void Renderer::show(const View& view, int rows, unsigned framebuffer) {
+    const gl::Target &coarse = impl_->picture, &fine = impl_->aside;
+    if (coarse.framebuffer && rows < fine.height) Impl::stretch(coarse, coarse.height, view, framebuffer);
+    if (fine.framebuffer && rows > 0) Impl::stretch(fine, rows, view, framebuffer);
 }
 
 bool Renderer::busy() { return impl_->busy(); }
@@ -402,7 +412,8 @@ FloatImage Renderer::readOutput(const View& view, Problems& problems) {
     image.pixels.resize(std::size_t(image.width) * image.height * image.channels);
     for (int y = 0; y < image.height; ++y) // GL's first row is the lowest
         for (int x = 0; x < image.width; ++x)
-            std::copy_n(&rgba[(std::size_t(image.height - 1 - y) * image.width + x) * 4], image.channels, image.at(x, y));
+            std::copy_n(&rgba[(std::size_t(image.height - 1 - y) * image.width + x) * 4], image.channels,
+                        image.at(x, y));
     return image;
 }
 
@@ -414,8 +425,7 @@ Image Renderer::readPicture(const View& view, Problems& problems) {
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     if (!gl::check("reading the picture back", problems)) return {};
     Image image{view.width, view.height, std::vector<std::uint8_t>(rgba.size())};
-    for (int y = 0; y < view.height; ++y)
-        std::copy_n(&rgba[row * (view.height - 1 - y)], row, &image.rgba[row * y]);
+    for (int y = 0; y < view.height; ++y) std::copy_n(&rgba[row * (view.height - 1 - y)], row, &image.rgba[row * y]);
     return image;
 }
 

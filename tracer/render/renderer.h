@@ -1,7 +1,8 @@
 /// Draws a scene with the one shader: owns every GL object that takes, none of which the caller sees.
 ///
-/// The order of use: setScene, setImage for what imagesOf(scene) names (a flat grey stands in until then), configure with
-/// the settings, then each frame poll() and draw(). All calls need the context the renderer was made in to be current.
+/// The order of use: setScene, setImage for what imagesOf(scene) names (a flat grey stands in until then), configure
+/// with the settings, then each frame poll() and draw(). All calls need the context the renderer was made in to be
+/// current.
 #pragma once
 
 #include "tracer/image.h"
@@ -54,13 +55,13 @@ class Renderer {
     bool finish(Problems&);
     bool canDraw() const;
 
-    /// Draws the picture at `scale` of its resolution and stretches it over the framebuffer object `framebuffer` (0 = the
-    /// window).
+    /// Draws the picture at `scale` of its resolution and stretches it over the framebuffer object `framebuffer` (0 =
+    /// the window).
     void draw(const View&, double scale, unsigned framebuffer);
     /// Draws rows `from` … `to` − 1 (0 = the lowest) of the picture at `scale`, aside: nothing is shown.
     void drawRows(const View&, double scale, int from, int to);
-    /// Shows again what draw() drew last, or, `aside`, what drawRows() has drawn.
-    void show(const View&, bool aside, unsigned framebuffer);
+    /// Shows again what draw() drew last, and over its lowest `rows` what drawRows() has drawn.
+    void show(const View&, int rows, unsigned framebuffer);
 
     /// The GPU has not finished what draw() asked for last.
     bool busy();
@@ -76,7 +77,8 @@ class Renderer {
     ProgramStats stats() const;
     const std::string& source() const; ///< of the program that draws now
 
-    /// The GL objects are gone with a lost context: forget them without touching GL, then build all anew in the new one.
+    /// The GL objects are gone with a lost context: forget them without touching GL, then build all anew in the new
+    /// one.
     void contextLost();
     void contextRestored();
 

@@ -54,10 +54,10 @@ glm::vec4 placement(const std::optional<TextureUse>& use, double time) {
 void packMaterial(const Material& m, const std::vector<std::string>& images, double time, std::vector<glm::vec4>& out) {
     const Optics optics = opticsOf(m, images);
     const auto slot = [&](const std::optional<TextureUse>& use) { return use ? slotOf(images, use->image) : -1; };
-    out.insert(out.end(), {glm::vec4(m.ambient, m.shininess), glm::vec4(m.diffuse, optics.ior),
-                           glm::vec4(m.specular, optics.kind), glm::vec4(m.emission, slot(m.texture)),
-                           glm::vec4(optics.f0, slot(m.normalMap)), placement(m.texture, time),
-                           placement(m.normalMap, time), glm::vec4(optics.mask, 0, 0, 0)});
+    out.insert(out.end(),
+               {glm::vec4(m.ambient, m.shininess), glm::vec4(m.diffuse, optics.ior), glm::vec4(m.specular, optics.kind),
+                glm::vec4(m.emission, slot(m.texture)), glm::vec4(optics.f0, slot(m.normalMap)),
+                placement(m.texture, time), placement(m.normalMap, time), glm::vec4(optics.mask, 0, 0, 0)});
 }
 
 } // namespace

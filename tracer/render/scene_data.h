@@ -1,7 +1,7 @@
 /// The scene's numbers as the shader reads them: one array of vec4.
 ///
-/// Order: for each kind present the geometry of its objects (casters first), then per object one texel (material, index in
-/// the file), then materials, lights, glows. The offsets are constants of the specialised shader; see constantsOf().
+/// Order: for each kind present the geometry of its objects (casters first), then per object one texel (material, index
+/// in the file), then materials, lights, glows. The offsets are constants of the specialised shader; see constantsOf().
 #pragma once
 
 #include "tracer/scene/scene.h"

@@ -146,38 +146,54 @@ bool Viewer::frame(double now, unsigned framebuffer, Problems& problems) {
     return drawFrame(now, framebuffer);
 }
 
-/// On a slow GPU one picture at a time, coarser while it moves; once it is still, the full one grows aside, band by band.
+/// On a slow GPU one picture at a time, coarser while it moves; once it is still, the full one grows aside, band by
+/// band.
 bool Viewer::drawFrame(double now, unsigned framebuffer) {
-    const bool wasBusy = renderer_.busy();
-    if (wasBusy && settings_.adapt && pace_.slow()) return false;
+    if (settings_.adapt && renderer_.busy() && pace_.slow()) return false;
+    learn();
     const View wanted = view();
     const bool still = wanted == last_.view && renderer_.version() == last_.version;
     if (settings_.adapt && still && last_.scale < settings_.scale) {
         refine(framebuffer);
         return true;
     }
-    // A time is known of a picture that has been finished, and only of whole ones.
-    if (!wasBusy && last_.scale > 0 && last_.rows == 0) pace_.took(renderer_.drawSeconds(), last_.scale);
     const double scale = settings_.adapt ? std::min(settings_.scale, pace_.scale()) : settings_.scale;
     renderer_.draw(wanted, scale, framebuffer);
-    last_ = {wanted, renderer_.version(), scale, 0};
+    last_ = {wanted, renderer_.version(), scale, 0, true};
     countFrame(now);
     return true;
 }
 
-void Viewer::refine(unsigned framebuffer) {
-    const int height = std::max(1, int(std::lround(last_.view.height * settings_.scale)));
-    if (last_.rows == 0) pace_.took(renderer_.drawSeconds(), last_.scale);
-    const int to = std::min(height, last_.rows + pace_.rows(height));
-    renderer_.drawRows(last_.view, settings_.scale, last_.rows, to);
-    last_.rows = to;
-    renderer_.show(last_.view, sharp(), framebuffer);
+/// What the last drawing took, once it is finished.
+void Viewer::learn() {
+    if (!last_.unknown || renderer_.busy()) return;
+    last_.unknown = false;
+    if (last_.rows > 0)
+        pace_.tookBand(renderer_.drawSeconds());
+    else if (last_.scale == pace_.scale())
+        pace_.tookPicture(renderer_.drawSeconds());
 }
 
-bool Viewer::sharp() const {
-    const int height = std::max(1, int(std::lround(last_.view.height * settings_.scale)));
-    return last_.scale > 0 && (last_.scale >= settings_.scale || last_.rows >= height);
+void Viewer::refine(unsigned framebuffer) {
+    const int height = sharpHeight();
+    if (last_.rows < height) {
+        const int to = std::min(height, last_.rows + pace_.rows(height));
+        renderer_.drawRows(last_.view, settings_.scale, last_.rows, to);
+        last_.rows = to;
+        last_.unknown = true;
+    }
+    countFrom_ = -1; // a picture that stands has no rate
+    fps_ = 0;
+    renderer_.show(last_.view, last_.rows, framebuffer);
 }
+
+int Viewer::sharpHeight() const { return std::max(1, int(std::lround(last_.view.height * settings_.scale))); }
+
+bool Viewer::sharp() const {
+    return last_.scale > 0 && (last_.scale >= settings_.scale || last_.rows >= sharpHeight());
+}
+
+double Viewer::shownScale() const { return sharp() ? settings_.scale : last_.scale; }
 
 void Viewer::countFrame(double now) {
     if (countFrom_ < 0) countFrom_ = now;

@@ -50,8 +50,9 @@ class Viewer {
     /// False while there is nothing to draw yet.
     bool frame(double now, unsigned framebuffer, Problems&);
 
-    bool sharp() const; ///< the picture shown has all the resolution that the settings allow
-    double framesPerSecond() const { return fps_; } ///< over at least half a second; 0 before that
+    bool sharp() const;        ///< the picture shown has all the resolution that the settings allow
+    double shownScale() const; ///< its resolution over that of the canvas; 0 before the first
+    double framesPerSecond() const { return fps_; } ///< over at least half a second; 0 before that, and while refining
     std::string title() const;                      ///< `Gnomon – lite – 61 FPS – depth 4, shadows hard`
 
     Renderer& renderer() { return renderer_; }
@@ -66,7 +67,9 @@ class Viewer {
     void configure();
     void placeCamera();
     bool drawFrame(double now, unsigned framebuffer);
+    void learn();
     void refine(unsigned framebuffer);
+    int sharpHeight() const;
     void countFrame(double now);
 
     Settings settings_;
@@ -87,6 +90,7 @@ class Viewer {
         unsigned version = 0;
         double scale = 0;
         int rows = 0;
+        bool unknown = false; ///< how long it took is not known yet
     };
     Pace pace_;
     Drawn last_;

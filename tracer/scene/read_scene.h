@@ -1,4 +1,5 @@
-/// Scene files: strict JSON (comments allowed) to a checked Scene. The format stands in assets/scenes/scene.schema.json.
+/// Scene files: strict JSON (comments allowed) to a checked Scene. The format stands in
+/// assets/scenes/scene.schema.json.
 #pragma once
 
 #include "tracer/problem.h"

@@ -28,9 +28,13 @@ struct TextureUse {
 };
 
 /// Fresnel reflectance from complex index n + ik, per channel. Reflects, never refracts.
-struct Conductor { glm::dvec3 n{1}, k{0}; };
+struct Conductor {
+    glm::dvec3 n{1}, k{0};
+};
 /// Clear body: reflects and refracts.
-struct Dielectric { double ior = 1.5; };
+struct Dielectric {
+    double ior = 1.5;
+};
 /// Clear layer over the surface's own colour: reflects by its index, does not refract.
 struct Coat {
     double ior = 1.5;
@@ -54,7 +58,8 @@ struct Orbit {
     int around = -1; ///< index in Scene::objects; -1: none
 };
 
-/// Light around a point, seen along the ray's line: color * clamp(strength / (softness + d²)), d = distance of the line.
+/// Light around a point, seen along the ray's line: color * clamp(strength / (softness + d²)), d = distance of the
+/// line.
 struct Glow {
     glm::dvec3 color{1};
     double strength = 2, softness = 0.5;
@@ -70,7 +75,9 @@ struct Object {
     int line = 0;             ///< in the scene file
 };
 
-struct PointLight { glm::dvec3 position{0}; };
+struct PointLight {
+    glm::dvec3 position{0};
+};
 struct Light {
     std::variant<PointLight> shape;
     glm::dvec3 color{1};

@@ -1,8 +1,8 @@
 /// The shape table: every analytic shape the tracer knows, one row each.
 ///
-/// A row gives the JSON key, the fields with their limits, and where each field lies in the texels the shader reads. From it
-/// come the scene reader, the schema, the packed scene data and the names the shader builder looks for. Adding a shape
-/// is one row here and one file shaders/primitive/KEY.glsl.
+/// A row gives the JSON key, the fields with their limits, and where each field lies in the texels the shader reads.
+/// From it come the scene reader, the schema, the packed scene data and the names the shader builder looks for. Adding
+/// a shape is one row here and one file shaders/primitive/KEY.glsl.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -62,8 +62,8 @@ const ShapeRow& shapeRow(ShapeKind);
 glm::dvec3 pointOf(const Shape&, std::string_view field);
 double lengthOf(const Shape&, std::string_view field);
 
-/// The point that stands for the whole shape where another object moves around it: its centre, the point of a plane, the
-/// first vertex.
+/// The point that stands for the whole shape where another object moves around it: its centre, the point of a plane,
+/// the first vertex.
 glm::dvec3 referencePoint(const Shape&);
 
 /// The shape moved by `by`: every point and vertex of it.

@@ -8,7 +8,11 @@ namespace gnomon {
 namespace {
 
 /// Binary operators from the loosest to the tightest.
-struct Operator { std::string_view sign; int level; int (*apply)(int, int); };
+struct Operator {
+    std::string_view sign;
+    int level;
+    int (*apply)(int, int);
+};
 constexpr std::array<Operator, 8> kOperators{{
     {"||", 0, [](int a, int b) { return int(a || b); }},
     {"&&", 1, [](int a, int b) { return int(a && b); }},
@@ -57,7 +61,8 @@ class Evaluator {
     int word() {
         skipSpace();
         std::size_t length = 0;
-        while (length < rest_.size() && (std::isalnum(static_cast<unsigned char>(rest_[length])) || rest_[length] == '_'))
+        while (length < rest_.size() &&
+               (std::isalnum(static_cast<unsigned char>(rest_[length])) || rest_[length] == '_'))
             ++length;
         const std::string_view token = rest_.substr(0, length);
         rest_.remove_prefix(length);

@@ -60,7 +60,7 @@ Features featuresOf(const Scene& scene, const Settings& settings, int maxBlockTe
     features.shadows = features.lights > 0 ? settings.shadows : ShadowModel::Off;
     if (settings.glow)
         features.glows = int(std::count_if(scene.objects.begin(), scene.objects.end(),
-                                            [](const Object& o) { return o.glow.has_value(); }));
+                                           [](const Object& o) { return o.glow.has_value(); }));
     const int texels = sceneTexels(scene);
     features.dataBlock =
         settings.data == DataPath::Block || (settings.data == DataPath::Auto && texels <= maxBlockTexels);

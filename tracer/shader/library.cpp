@@ -6,8 +6,9 @@ namespace gnomon {
 
 std::string_view shaderText(std::string_view name) {
     const auto files = shaderLibrary();
-    const auto found = std::lower_bound(files.begin(), files.end(), name,
-                                        [](const ShaderFile& file, std::string_view wanted) { return file.name < wanted; });
+    const auto found =
+        std::lower_bound(files.begin(), files.end(), name,
+                         [](const ShaderFile& file, std::string_view wanted) { return file.name < wanted; });
     return found != files.end() && found->name == name ? found->text : std::string_view{};
 }
 

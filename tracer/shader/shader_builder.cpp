@@ -21,16 +21,26 @@ struct Names {
 Names namesOf(const Features& f) {
     Names names;
     names.values = {
-        {"REFLECTION", f.reflection},   {"REFRACTION", f.refraction},
-        {"COATS", f.coats},             {"COAT_MASKS", f.coatMasks},
-        {"TEXTURES", f.textures},       {"NORMAL_MAPS", f.normalMaps},
-        {"IMAGES", f.images},           {"CUBEMAP", f.cubemap},
-        {"LINEAR", f.linear},           {"LIGHTS", f.lights},
-        {"GLOWS", f.glows},             {"RAY_STACK", f.rayStack},
-        {"DATA_BLOCK", f.dataBlock},    {"SHADOWS", f.shadows != ShadowModel::Off},
-        {"OUTPUT", int(f.output)},      {"COLOR", int(Aov::Color)},
-        {"DISTANCE", int(Aov::Distance)}, {"POSITION", int(Aov::Position)},
-        {"NORMAL", int(Aov::Normal)},   {"OBJECT", int(Aov::Object)},
+        {"REFLECTION", f.reflection},
+        {"REFRACTION", f.refraction},
+        {"COATS", f.coats},
+        {"COAT_MASKS", f.coatMasks},
+        {"TEXTURES", f.textures},
+        {"NORMAL_MAPS", f.normalMaps},
+        {"IMAGES", f.images},
+        {"CUBEMAP", f.cubemap},
+        {"LINEAR", f.linear},
+        {"LIGHTS", f.lights},
+        {"GLOWS", f.glows},
+        {"RAY_STACK", f.rayStack},
+        {"DATA_BLOCK", f.dataBlock},
+        {"SHADOWS", f.shadows != ShadowModel::Off},
+        {"OUTPUT", int(f.output)},
+        {"COLOR", int(Aov::Color)},
+        {"DISTANCE", int(Aov::Distance)},
+        {"POSITION", int(Aov::Position)},
+        {"NORMAL", int(Aov::Normal)},
+        {"OBJECT", int(Aov::Object)},
         {"VISIBILITY", int(Aov::Visibility)},
     };
     auto& shapes = names.lists["SHAPES"];
@@ -45,7 +55,9 @@ Names namesOf(const Features& f) {
 }
 
 /// A word in the three spellings `$Word`, `$word`, `$WORD` can ask for.
-struct Substitution { std::string word, value; };
+struct Substitution {
+    std::string word, value;
+};
 
 std::string mapped(std::string text, int (*change)(int)) {
     std::transform(text.begin(), text.end(), text.begin(), [=](unsigned char c) { return char(change(c)); });
@@ -68,7 +80,8 @@ std::string substitute(std::string_view line, const std::vector<Substitution>& s
 
 std::string_view trimmed(std::string_view text) {
     const auto first = text.find_first_not_of(" \t");
-    return first == std::string_view::npos ? std::string_view{} : text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
+    return first == std::string_view::npos ? std::string_view{}
+                                           : text.substr(first, text.find_last_not_of(" \t\r") + 1 - first);
 }
 
 /// One file's lines with a cursor.
@@ -95,7 +108,8 @@ class Builder {
 
     void include(std::string_view name, int depth = 0) {
         const auto files = shaderLibrary();
-        const auto found = std::find_if(files.begin(), files.end(), [&](const ShaderFile& file) { return file.name == name; });
+        const auto found =
+            std::find_if(files.begin(), files.end(), [&](const ShaderFile& file) { return file.name == name; });
         if (found == files.end()) return problem("(generated)", 0, "there is no shader file " + std::string(name));
         if (std::find(source_.modules.begin(), source_.modules.end(), found->name) != source_.modules.end()) return;
         source_.modules.push_back(found->name);
@@ -168,7 +182,8 @@ class Builder {
         if (line.starts_with("#else")) return true;
         const std::string_view condition = std::string_view(line).substr(line.starts_with("#elif") ? 5 : 3);
         std::string error;
-        const auto value = evaluateCondition(condition, [this](std::string_view name) { return valueOf(name); }, error);
+        const auto value = evaluateCondition(
+            condition, [this](std::string_view name) { return valueOf(name); }, error);
         if (!value) problem(lines.file, int(at) + 1, error);
         return value.value_or(0) != 0;
     }
@@ -182,7 +197,8 @@ class Builder {
         const auto starts = branches(lines, at, to);
         const std::string_view line = trimmed(lines.text[at]);
         const auto in = line.find(" in ");
-        const auto list = in == std::string_view::npos ? names_.lists.end() : names_.lists.find(trimmed(line.substr(in + 4)));
+        const auto list =
+            in == std::string_view::npos ? names_.lists.end() : names_.lists.find(trimmed(line.substr(in + 4)));
         if (list == names_.lists.end()) {
             problem(lines.file, int(at) + 1, "#for needs `Word in LIST` with a known list");
             return starts.back() + 1;
@@ -219,7 +235,8 @@ class Builder {
     ShaderSource source_;
 };
 
-/// The only text that differs between the hosts. lowp and mediump ruin pictures and speed on some drivers: all is highp.
+/// The only text that differs between the hosts. lowp and mediump ruin pictures and speed on some drivers: all is
+/// highp.
 void addPrelude(Builder& builder, const Features& features) {
     builder.generate(features.es300 ? "#version 300 es" : "#version 330 core");
     for (const char* type : {"float", "int", "sampler2D", "samplerCube"})

@@ -1,9 +1,11 @@
 /// Specialises the shader library: one text that holds only what the features need, and a map from its lines to files.
 ///
-/// The library is GLSL with four directives that the builder resolves, so that the result has no trace of what is left out:
+/// The library is GLSL with four directives that the builder resolves, so that the result has no trace of what is left
+/// out:
 ///   #include "primitive/sphere.glsl"    each file once; $name in the path is replaced
-///   #if NAME … #elif … #else … #endif   over the builder's own names; !, &&, ||, parentheses and comparisons with integers
-///   #for Shape in SHAPES … #endfor      repeats the lines for every row of a list, with $Shape, $shape, $SHAPE replaced
+///   #if NAME … #elif … #else … #endif   over the builder's own names; !, &&, ||, parentheses and comparisons with
+///   integers #for Shape in SHAPES … #endfor      repeats the lines for every row of a list, with $Shape, $shape,
+///   $SHAPE replaced
 /// Other preprocessor lines are not used in the library.
 #pragma once
 
@@ -23,7 +25,7 @@ struct SourceLine {
 
 struct ShaderSource {
     std::string text;
-    std::vector<SourceLine> lines;        ///< where each line of `text` comes from
+    std::vector<SourceLine> lines;         ///< where each line of `text` comes from
     std::vector<std::string_view> modules; ///< files included, in order
 };
 
@@ -32,8 +34,8 @@ ShaderSource buildShader(std::string_view pass, const Features&, Problems&);
 /// The vertex shader that covers the canvas.
 ShaderSource buildCanvas(const Features&, Problems&);
 
-/// A driver's compile log with its line numbers (`0:12(3):`, `ERROR: 0:12:`, `0(12) :`) turned into file and line of the
-/// library; lines without a number are kept as they are.
+/// A driver's compile log with its line numbers (`0:12(3):`, `ERROR: 0:12:`, `0(12) :`) turned into file and line of
+/// the library; lines without a number are kept as they are.
 Problems mapLog(std::string_view log, const ShaderSource&);
 
 } // namespace gnomon

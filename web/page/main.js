@@ -210,7 +210,8 @@ function watch(page) {
   const refresh = () => {
     const settings = tracer.settings();
     showReadout({
-      title: tracer.title(), fps: tracer.framesPerSecond(), settings, width: canvas.width, height: canvas.height,
+      title: tracer.title(), fps: tracer.framesPerSecond(), settings, scale: tracer.shownScale(),
+      width: canvas.width, height: canvas.height,
     });
     const now = tracer.urlQuery();
     if (now === before) return;

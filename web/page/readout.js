@@ -2,9 +2,8 @@
 
 const rateText = (fps) => (fps <= 0 ? '–' : fps < 9.95 ? fps.toFixed(1) : String(Math.round(fps)));
 
-/** Shows how things stand; `settings` is a Map of key → text. */
-export function showReadout({ title, fps, settings, width, height }) {
-  const scale = Number(settings.get('scale'));
+/** Shows how things stand; `settings` is a Map of key → text, `scale` the picture's resolution over the canvas'. */
+export function showReadout({ title, fps, settings, scale, width, height }) {
   const traced = [width, height].map((length) => Math.max(1, Math.round(length * scale))).join(' × ');
   const parts = [`depth ${settings.get('depth')}`, `shadows ${settings.get('shadows')}`, traced];
   if (settings.get('pause') === 'on') parts.push('paused');

@@ -84,6 +84,7 @@ function wrap(module) {
     resize: (width, height) => module._resize(width, height),
     frame: (seconds) => module._frame(seconds) !== 0,
     sharp: () => module._sharp() !== 0,
+    shownScale: () => module._shownScale(),
     takeProblems: () => text(module._takeProblems()),
     state: () => module._programState(),
     compileMs: () => module._compileMs(),
