@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -31,29 +30,6 @@ namespace {
 static_assert(std::endian::native == std::endian::little, "PFM and EXR rows are copied as they lie in memory");
 
 std::string extensionOf(const std::string& file) { return fs::path(file).extension().string(); }
-
-float srgb(float linear) {
-    return linear <= 0.0031308F ? 12.92F * linear : 1.055F * std::pow(linear, 1 / 2.4F) - 0.055F;
-}
-
-std::uint8_t eightBits(float value) {
-    if (!(value > 0)) return 0; // NaN too
-    return std::uint8_t(std::lround(std::min(value, 1.0F) * 255));
-}
-
-Image toEightBits(const FloatImage& image, Aov aov, Encoding encoding) {
-    Image shown{image.width, image.height, {}};
-    const std::size_t pixels = std::size_t(image.width) * image.height;
-    shown.rgba.resize(pixels * 4, 255);
-    for (std::size_t i = 0; i < pixels; ++i)
-        for (int channel = 0; channel < 3; ++channel) {
-            float value = image.pixels[i * image.channels + (image.channels == 3 ? channel : 0)];
-            if (aov == Aov::Normal) value = 0.5F + 0.5F * value;
-            if (aov == Aov::Color && encoding == Encoding::Linear) value = srgb(std::max(value, 0.0F));
-            shown.rgba[i * 4 + channel] = eightBits(value);
-        }
-    return shown;
-}
 
 void append(void* bytes, void* data, int size) {
     static_cast<std::string*>(bytes)->append(static_cast<const char*>(data), std::size_t(size));
@@ -129,6 +105,8 @@ bool writeWhole(const std::string& file, const std::string& bytes, Problems& pro
 
 } // namespace
 
+bool isPicture(const std::string& file) { return extensionOf(file) == ".png"; }
+
 bool checkImageFile(const std::string& file, Aov aov, Problems& problems) {
     const std::string extension = extensionOf(file);
     const auto refuse = [&](const std::string& what, const char* remedy) {
@@ -138,7 +116,7 @@ bool checkImageFile(const std::string& file, Aov aov, Problems& problems) {
     if (extension != ".png" && extension != ".pfm" && extension != ".exr")
         return refuse("the picture's format is unknown", "end the name with .png, .pfm or .exr");
     const bool shown = aov == Aov::Color || aov == Aov::Normal || aov == Aov::Visibility;
-    if (extension == ".png" && !shown) {
+    if (isPicture(file) && !shown) {
         Settings settings;
         settings.aov = aov;
         return refuse("a PNG cannot hold " + textOf(*findSetting("aov"), settings) + ", whose numbers leave [0, 1]",
@@ -152,11 +130,8 @@ bool checkImageFile(const std::string& file, Aov aov, Problems& problems) {
     return true;
 }
 
-bool writeImage(const std::string& file, const FloatImage& image, Aov aov, Encoding encoding, Problems& problems) {
-    if (!checkImageFile(file, aov, problems)) return false;
-    const std::string extension = extensionOf(file);
-    if (extension == ".png") return writeImage(file, toEightBits(image, aov, encoding), problems);
-    return writeWhole(file, extension == ".pfm" ? encodePfm(image) : encodeExr(image), problems);
+bool writeImage(const std::string& file, const FloatImage& image, Problems& problems) {
+    return writeWhole(file, extensionOf(file) == ".pfm" ? encodePfm(image) : encodeExr(image), problems);
 }
 
 bool writeImage(const std::string& file, const Image& image, Problems& problems) {

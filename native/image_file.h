@@ -8,7 +8,6 @@
 
 #include "tracer/image.h"
 #include "tracer/render/settings.h"
-#include "tracer/scene/scene.h"
 
 #include <string>
 
@@ -17,10 +16,12 @@ namespace gnomon {
 /// May output `aov` go to a file of this name? False, with a problem, where its extension is unknown or cannot hold it.
 bool checkImageFile(const std::string& file, Aov aov, Problems&);
 
-/// Writes what Renderer::readOutput gave. PNG shows colours clamped to [0, 1] (with `encoding` Linear sRGB-encoded),
-/// normals as 0.5 + 0.5 n and visibility as grey; NaN is black.
-bool writeImage(const std::string& file, const FloatImage&, Aov, Encoding, Problems&);
-/// PNG only.
+/// The file holds eight-bit colours as a window shows them, not numbers.
+bool isPicture(const std::string& file);
+
+/// Writes what Renderer::readOutput gave: .pfm or .exr.
+bool writeImage(const std::string& file, const FloatImage&, Problems&);
+/// Writes what Renderer::readPicture gave: .png.
 bool writeImage(const std::string& file, const Image&, Problems&);
 
 } // namespace gnomon

@@ -18,18 +18,20 @@ struct RenderOptions {
     std::string context = "osmesa";
 };
 
-/// Reads the output off a renderer of the current context. An empty picture, with problems, where that fails.
-FloatImage draw(const Loaded& loaded, const Settings& settings, const CameraPose& pose, ExitCode& code,
-                Problems& problems) {
+/// Draws with a renderer of the current context and writes the file: a picture as a window shows it, or the numbers.
+ExitCode draw(const Loaded& loaded, const Settings& settings, const CameraPose& pose, const std::string& file,
+              Problems& problems) {
     Renderer renderer;
-    code = kInputWrong;
-    if (!renderer.setScene(loaded.scene, problems)) return {};
+    if (!renderer.setScene(loaded.scene, problems)) return kInputWrong;
     for (const auto& [name, image] : loaded.images) renderer.setImage(name, image);
-    code = kNoGl;
     renderer.configure(settings);
-    if (!renderer.finish(problems)) return {};
-    FloatImage picture = renderer.readOutput({pose, settings.time, settings.size.x, settings.size.y}, problems);
-    return problems.empty() ? std::move(picture) : FloatImage{};
+    const View view{pose, settings.time, settings.size.x, settings.size.y};
+    if (!renderer.finish(problems)) return kNoGl;
+    const Image picture = isPicture(file) ? renderer.readPicture(view, problems) : Image{};
+    const FloatImage numbers = isPicture(file) ? FloatImage{} : renderer.readOutput(view, problems);
+    if (!problems.empty()) return kNoGl;
+    const bool written = isPicture(file) ? writeImage(file, picture, problems) : writeImage(file, numbers, problems);
+    return written ? kDone : kInputWrong;
 }
 
 int render(const RenderOptions& options) {
@@ -48,14 +50,11 @@ int render(const RenderOptions& options) {
 
     const auto context = makeContext(*kind, problems);
     if (!context) return fail(kNoGl, problems);
-    ExitCode code = kNoGl;
-    const FloatImage picture = draw(*loaded, *settings, *pose, code, problems);
-    if (!problems.empty()) return fail(code, problems);
-    if (!writeImage(options.file, picture, settings->aov, loaded->scene.encoding, problems))
-        return fail(kInputWrong, problems);
+    const ExitCode code = draw(*loaded, *settings, *pose, options.file, problems);
+    if (code != kDone) return fail(code, problems);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    std::printf("%s: %s, %d x %d, %.2f s\n", options.file.c_str(), loaded->scene.name.c_str(), picture.width,
-                picture.height, seconds.count());
+    std::printf("%s: %s, %d x %d, %.2f s\n", options.file.c_str(), loaded->scene.name.c_str(), settings->size.x,
+                settings->size.y, seconds.count());
     return kDone;
 }
 

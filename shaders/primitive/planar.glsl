@@ -12,10 +12,7 @@ float meetPlane(vec3 anchor, vec3 normal, Ray ray) {
 Surface surfacePlanar(vec3 anchor, vec3 normal, Ray ray, float t) {
     vec3 offset = (ray.origin - anchor) + t * ray.direction;
     offset -= dot(normal, offset) * normal;
-    Surface surface;
-    surface.point = anchor + offset;
-    surface.normal = normal;
-    surface.curvature = 0.0;
+    Surface surface = bareSurface(anchor + offset, normal, 0.0);
 #if IMAGES
     // The world axis least along the normal, laid into the plane; +x wherever the normal is not mostly x.
     vec3 axis = abs(normal.x) < 0.9 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 0.0, -1.0);
@@ -23,10 +20,6 @@ Surface surfacePlanar(vec3 anchor, vec3 normal, Ray ray, float t) {
     vec3 bitangent = cross(surface.tangent, normal);
     surface.uv = vec2(dot(offset, surface.tangent), dot(offset, bitangent));
     surface.uvPerUnit = vec2(1.0);
-#else
-    surface.uv = vec2(0.0);
-    surface.uvPerUnit = vec2(0.0);
-    surface.tangent = vec3(0.0);
 #endif
     return surface;
 }

@@ -56,20 +56,13 @@ Surface surfaceSphere(Sphere sphere, Ray ray, float t) {
     float h = max(halfChord(sphere, near, ray.direction, foot, fromNear), 0.0);
     float middle = near.tHigh + (near.tLow + fromNear);
     vec3 normal = normalize(t < middle ? foot - h * ray.direction : foot + h * ray.direction);
-    Surface surface;
-    surface.point = sphere.center + sphere.radius * normal;
-    surface.normal = normal;
-    surface.curvature = 1.0 / sphere.radius;
+    Surface surface = bareSurface(sphere.center + sphere.radius * normal, normal, 1.0 / sphere.radius);
 #if IMAGES
     const float kPi = 3.14159265358979;
     surface.uv = vec2(0.5 + atan(-normal.z, normal.x) / (2.0 * kPi), acos(clamp(normal.y, -1.0, 1.0)) / kPi);
     surface.uvPerUnit = vec2(0.5, 1.0) / (kPi * sphere.radius);
     float equator = length(normal.xz);
     surface.tangent = equator > 1e-6 ? vec3(-normal.z, 0.0, normal.x) / -equator : vec3(1.0, 0.0, 0.0);
-#else
-    surface.uv = vec2(0.0);
-    surface.uvPerUnit = vec2(0.0);
-    surface.tangent = vec3(0.0);
 #endif
     return surface;
 }

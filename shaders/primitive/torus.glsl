@@ -153,19 +153,12 @@ Surface surfaceTorus(Torus torus, Ray ray, float t) {
     vec2 around = p.xy * inversesqrt(max(dot(p.xy, p.xy), 1e-30));
     vec3 normal = normalize(p - vec3(torus.major * around, 0.0));
     vec3 ring = vec3(torus.major * around, 0.0);
-    Surface surface;
-    surface.point = torus.center + (ring + torus.minor * normal) * axes;
-    surface.normal = normal * axes;
-    surface.curvature = 1.0 / torus.minor;
+    Surface surface = bareSurface(torus.center + (ring + torus.minor * normal) * axes, normal * axes, 1.0 / torus.minor);
 #if IMAGES
     const float kTwoPi = 6.28318530717959;
     surface.uv = vec2(atan(around.y, around.x), atan(normal.z, dot(normal.xy, around))) / kTwoPi + 0.5;
     surface.uvPerUnit = 1.0 / (kTwoPi * vec2(torus.major, torus.minor));
     surface.tangent = vec3(-around.y, around.x, 0.0) * axes;
-#else
-    surface.uv = vec2(0.0);
-    surface.uvPerUnit = vec2(0.0);
-    surface.tangent = vec3(0.0);
 #endif
     return surface;
 }

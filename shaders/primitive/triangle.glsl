@@ -70,12 +70,11 @@ Surface surfaceTriangle(Triangle triangle, Ray ray, float t) {
     vec2 bc = sum == 0.0 ? vec2(0.0) : weights.yz / sum;
     vec3 ab = triangle.b - triangle.a;
     vec3 ac = triangle.c - triangle.a;
-    Surface surface;
-    surface.point = triangle.a + bc.x * ab + bc.y * ac;
-    surface.normal = normalize(cross(ab, ac));
+    Surface surface = bareSurface(triangle.a + bc.x * ab + bc.y * ac, normalize(cross(ab, ac)), 0.0);
+#if IMAGES
     surface.uv = bc;
     surface.uvPerUnit = vec2(inversesqrt(dot(ab, ab)), inversesqrt(dot(ac, ac)));
     surface.tangent = normalize(ab);
-    surface.curvature = 0.0;
+#endif
     return surface;
 }

@@ -36,7 +36,7 @@ Surface surfaceAt(int object, Ray ray, float t) {
 #for Shape in SHAPES
     if (object < k$ShapeEnd) return surface$Shape(load$Shape(k$ShapeBase + (object - k$ShapeFirst) * k$ShapeTexels), ray, t);
 #endfor
-    return Surface(vec3(0.0), vec3(0.0), vec2(0.0), vec2(0.0), vec3(0.0), 0.0);
+    return bareSurface(vec3(0.0), vec3(0.0), 0.0);
 }
 
 int materialOf(int object) { return int(sceneTexel(kObjectBase + object).x); }

@@ -25,6 +25,11 @@ struct Surface {
     float curvature;
 };
 
+// A surface without a texture's frame: shapes add uv, uvPerUnit and tangent where the scene has images.
+Surface bareSurface(vec3 point, vec3 normal, float curvature) {
+    return Surface(point, normal, vec2(0.0), vec2(0.0), vec3(0.0), curvature);
+}
+
 // +1 or -1 where the ray starts on object `object`, else 0.
 float startSide(Ray ray, int object) { return object == ray.self ? ray.side : 0.0; }
 

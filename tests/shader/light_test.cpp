@@ -164,6 +164,32 @@ TEST(Glass, ReflectsTotallyBeyondTheCriticalAngle) {
     EXPECT_NEAR(colorInTheMiddle(lookingUpAt(0)).r, 0.96, 1e-3);
 }
 
+// The picture a window shows is the colour output, clamped, sRGB-encoded where the scene is linear, in eight bits.
+TEST(Picture, EncodesLinearLightAndLeavesDisplayValues) {
+    for (const bool linear : {true, false}) {
+        const Scene scene = sceneFrom(std::string(R"({"encoding": ")") + (linear ? "linear" : "display") + R"(",
+            "camera": {"eye": [0, 0, 5], "target": [0, 0, 9]}, "background": {"color": [0.002, 0.2159, 7]},
+            "objects": [{"sphere": {"center": [0, 0, 0], "radius": 1}}]})");
+        offscreen();
+        const Image picture = Drawing(scene, sized(2, 2)).picture();
+        const std::vector<std::uint8_t> pixel(picture.rgba.begin(), picture.rgba.begin() + 3);
+        EXPECT_EQ(pixel, linear ? (std::vector<std::uint8_t>{7, 128, 255}) : (std::vector<std::uint8_t>{1, 55, 255}));
+    }
+}
+
+TEST(Picture, ShowsTheChannelsOfTheColourMode) {
+    const Scene scene = sceneFrom(R"({"encoding": "display", "camera": {"eye": [0, 0, 5], "target": [0, 0, 9]},
+        "background": {"color": [0.2, 0.4, 0.6]}, "objects": [{"sphere": {"center": [0, 0, 0], "radius": 1}}]})");
+    offscreen();
+    for (int mode = 0; mode < 27; ++mode) {
+        Settings settings = sized(1, 1);
+        settings.colorMode = mode;
+        const Image picture = Drawing(scene, settings).picture();
+        const int channels[] = {mode / 9, mode / 3 % 3, mode % 3};
+        for (int c = 0; c < 3; ++c) EXPECT_EQ(picture.rgba[c], 51 * (channels[c] + 1)) << colorModes()[mode];
+    }
+}
+
 TEST(Depth, LimitsHowOftenLightBounces) {
     // Two facing mirrors: each bounce adds one more dim image of the emitter.
     const Scene scene = sceneFrom(R"({"camera": {"eye": [0, 0, 0.5], "target": [0, 0, -1]},

@@ -1,11 +1,9 @@
 #include "tracer/render/program_cache.h"
 
-#include <chrono>
+#include "tracer/clock.h"
 
 namespace gnomon {
 namespace {
-
-double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 /// Why the program did not link, in the words of the driver and the places of the library.
 void explain(const CachedProgram& entry, Problems& problems) {
@@ -30,7 +28,7 @@ void bindInterface(const CachedProgram& entry) {
 } // namespace
 
 std::shared_ptr<CachedProgram> ProgramCache::get(const Features& features, Problems& problems) {
-    const double start = seconds();
+    const double start = monotonicSeconds();
     Problems faults;
     ShaderSource source = buildShader("pass/trace.frag", features, faults);
     const ShaderSource canvas = buildCanvas(features, faults);
@@ -43,7 +41,7 @@ std::shared_ptr<CachedProgram> ProgramCache::get(const Features& features, Probl
     entry = std::make_shared<CachedProgram>();
     entry->features = features;
     entry->stats.sourceBytes = source.text.size();
-    entry->started = seconds();
+    entry->started = monotonicSeconds();
     entry->stats.buildMs = (entry->started - start) * 1e3;
     entry->program = gl::Program(canvas.text, source.text);
     entry->source = std::move(source);
@@ -63,7 +61,7 @@ ProgramState ProgramCache::poll(CachedProgram& entry, const std::function<void()
         entry.drawn.set();
     }
     if (!entry.drawn.passed()) return entry.state;
-    entry.stats.compileMs = (seconds() - entry.started) * 1e3;
+    entry.stats.compileMs = (monotonicSeconds() - entry.started) * 1e3;
     return entry.state = ProgramState::Ready;
 }
 

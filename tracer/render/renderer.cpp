@@ -1,5 +1,6 @@
 #include "tracer/render/renderer.h"
 
+#include "tracer/clock.h"
 #include "tracer/gl/objects.h"
 #include "tracer/render/program_cache.h"
 #include "tracer/render/scene_data.h"
@@ -60,10 +61,6 @@ std::vector<std::string> facesOf(const Scene& scene) {
     for (const char* side : {"-px", "-nx", "-py", "-ny", "-pz", "-nz"})
         faces.push_back(scene.background.cubemap + side);
     return faces;
-}
-
-double monotonicSeconds() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
 /// The same view with fewer pixels.
