@@ -16,7 +16,8 @@ vec3 shade(Material material, Surface surface, int self, vec3 facing, vec3 norma
         float cosine = dot(normal, direction);
         if (cosine <= 0.0 || dot(facing, direction) <= 0.0) continue;
         vec3 diffuse = clamp(material.diffuse * tint * cosine, 0.0, 1.0);
-        float highlight = max(dot(normal, normalize(direction + toEye)), 0.0);
+        vec3 between = direction + toEye;
+        float highlight = max(dot(normal, between) * inversesqrt(max(dot(between, between), 1e-30)), 0.0);
         vec3 specular = highlight > 0.0 ? clamp(material.specular * pow(highlight, material.shininess), 0.0, 1.0) : vec3(0.0);
         vec3 light3 = light.color * (diffuse + specular);
         vec3 seen = light3 * share;

@@ -141,9 +141,9 @@ TEST(Outputs, GiveInfinityZeroAndMinusOneWhereNothingIsHit) {
 TEST(Outputs, ReadTheSameFromABlockAndFromATexture) {
     Settings settings = small(1);
     settings.data = DataPath::Block;
-    const FloatImage block = outputOf(sceneNamed("lite"), settings, Aov::Color);
+    const FloatImage block = outputOf(sceneNamed("pro"), settings, Aov::Color);
     settings.data = DataPath::Texture;
-    const FloatImage texture = outputOf(sceneNamed("lite"), settings, Aov::Color);
+    const FloatImage texture = outputOf(sceneNamed("pro"), settings, Aov::Color);
     EXPECT_EQ(block.pixels, texture.pixels);
 }
 

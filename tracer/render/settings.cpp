@@ -6,6 +6,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 
@@ -64,7 +65,7 @@ std::vector<SettingRow> makeTable() {
          {},
          {},
          Effect::Host},
-        {"size", SizeType{&S::size, 1, 16384}, "Canvas", "Width and height in pixels", 0, {}, {}, Effect::Resize},
+        {"size", SizeType{&S::size, 1, 16384, 64}, "Canvas", "Width and height in pixels", 0, {}, {}, Effect::Resize},
         {"scale",
          RealType{&S::scale, 0.1, 1},
          "Canvas",
@@ -170,12 +171,15 @@ Wrong readPoint(std::string_view text, double limit, glm::dvec3& point) {
     return {};
 }
 
-Wrong readSize(std::string_view text, int min, int max, glm::ivec2& size) {
+Wrong readSize(std::string_view text, const SizeType& type, glm::ivec2& size) {
     const auto cross = text.find('x');
     if (cross == std::string_view::npos) return {quoted(text) + " is not a size", "use WIDTHxHEIGHT, as 800x600"};
     glm::ivec2 read;
-    if (auto wrong = readInt(text.substr(0, cross), min, max, read.x)) return wrong;
-    if (auto wrong = readInt(text.substr(cross + 1), min, max, read.y)) return wrong;
+    if (auto wrong = readInt(text.substr(0, cross), type.min, type.max, read.x)) return wrong;
+    if (auto wrong = readInt(text.substr(cross + 1), type.min, type.max, read.y)) return wrong;
+    if (std::int64_t(read.x) * read.y > std::int64_t(type.megapixels) << 20)
+        return {quoted(text) + " is too large",
+                "use at most " + std::to_string(type.megapixels) + " x 1024 x 1024 pixels"};
     size = read;
     return {};
 }
@@ -207,7 +211,7 @@ struct FromText {
         if (!wrong) settings.*type.at = text.empty() ? std::nullopt : std::optional(point);
         return wrong;
     }
-    Wrong operator()(const SizeType& type) { return readSize(text, type.min, type.max, settings.*type.at); }
+    Wrong operator()(const SizeType& type) { return readSize(text, type, settings.*type.at); }
     Wrong operator()(const ChoiceType& type) {
         int index = 0;
         auto wrong = readChoice(text, type.names, rangeOf(row), index);
@@ -246,7 +250,8 @@ struct RangeText {
     }
     std::string operator()(const OptionalPointType&) const { return "X,Y,Z"; }
     std::string operator()(const SizeType& type) const {
-        return "WIDTHxHEIGHT, each " + std::to_string(type.min) + "…" + std::to_string(type.max);
+        return "WIDTHxHEIGHT, each " + std::to_string(type.min) + "…" + std::to_string(type.max) + ", at most " +
+               std::to_string(type.megapixels) + " Mi pixels";
     }
     std::string operator()(const ChoiceType& type) const {
         if (type.names.size() > 9) return std::string(type.names.front()) + "…" + std::string(type.names.back());

@@ -73,7 +73,8 @@ struct OptionalPointType {
 };
 struct SizeType {
     glm::ivec2 Settings::*at;
-    int min, max;
+    int min, max;   ///< of each side
+    int megapixels; ///< at most, so many times 1024 x 1024
 };
 struct ChoiceType {
     std::vector<std::string_view> names;
