@@ -1,0 +1,45 @@
+/// Many given rays against a scene, answered by the shader's own intersectors and read back: how their numbers are
+/// measured.
+#pragma once
+
+#include "tracer/problem.h"
+#include "tracer/scene/scene.h"
+
+#include <glm/glm.hpp>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace gnomon {
+
+struct BatchRay {
+    glm::vec3 origin{0};
+    float side = 0; ///< +1: starts on the first object and travels outside of it, −1: inside; 0: starts nowhere
+    glm::vec3 direction{0, 0, 1}; ///< unit
+    float tMin = 0;
+};
+
+struct BatchHit {
+    int object = -1; ///< in the shader's order, −1: nothing
+    float t = 0;
+    glm::vec3 point{0}, normal{0};
+};
+
+class RayBatch {
+  public:
+    /// Compiles the intersectors of the scene's shapes in the current context. valid() is false, with problems, where
+    /// that fails or the context cannot draw float32.
+    RayBatch(const Scene&, Problems&);
+    ~RayBatch();
+    bool valid() const { return impl_ != nullptr; }
+
+    /// One answer a ray, in order.
+    std::vector<BatchHit> trace(std::span<const BatchRay>);
+
+  private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace gnomon
