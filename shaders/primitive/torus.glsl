@@ -1,7 +1,7 @@
 // Torus: the points at distance `minor` from a circle of radius `major` about `center`, in the plane across `axis`.
 //
 // intersectTorus  nearest t in (ray.tMin, t)
-// surfaceTorus    point and normal exact to a few ulp of major + minor; u runs around the axis, v around the tube
+// surfaceTorus    point and normal exact to a few ulp of major + minor; u runs around the axis, v around the tube, downward outside
 // Error           decisions wrong only within 2^-22 (major + minor) of tangency; t: 1.4 ulp of the distance
 // Source          ray re-centred exactly (ray/split.glsl). Along the ray g(s) = (|xy| - major)² + z² - minor² is concave on
 //                 one interval about the axis and convex before and after it, so the nearest root lies in the first of three
@@ -156,7 +156,7 @@ Surface surfaceTorus(Torus torus, Ray ray, float t) {
     Surface surface = bareSurface(torus.center + (ring + torus.minor * normal) * axes, normal * axes, 1.0 / torus.minor);
 #if IMAGES
     const float kTwoPi = 6.28318530717959;
-    surface.uv = vec2(atan(around.y, around.x), atan(normal.z, dot(normal.xy, around))) / kTwoPi + 0.5;
+    surface.uv = vec2(atan(around.y, around.x), atan(-normal.z, dot(normal.xy, around))) / kTwoPi + 0.5;
     surface.uvPerUnit = 1.0 / (kTwoPi * vec2(torus.major, torus.minor));
     surface.tangent = vec3(-around.y, around.x, 0.0) * axes;
 #endif

@@ -33,7 +33,7 @@ std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.nam
 const Case kCases[] = {
     {"lite", "lite", 8, ShadowModel::Hard, 0},          {"lite-no-shadows", "lite", 4, ShadowModel::Off, 0},
     {"lite-later", "lite", 4, ShadowModel::Hard, 4.25}, {"pro", "pro", 8, ShadowModel::Hard, 0},
-    {"torus", "torus", 4, ShadowModel::Hard, 0},
+    {"torus", "torus", 4, ShadowModel::Hard, 0},        {"shapes", "shapes", 8, ShadowModel::Hard, 0},
 };
 
 Image readPng(const std::string& file) {

@@ -95,7 +95,7 @@ void compilesIn(ContextKind kind, const std::vector<Variant>& all) {
 
 TEST_P(Compile, LinksInOsMesaInBothPreludes) { compilesIn(ContextKind::OsMesa, all); }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Compile, testing::Values("lite", "pro", "torus"),
+INSTANTIATE_TEST_SUITE_P(Scenes, Compile, testing::Values("lite", "pro", "torus", "shapes"),
                          [](const auto& test) { return std::string(test.param); });
 
 void namesThePlaceOfAFault(ContextKind kind) {

@@ -55,7 +55,11 @@ TEST(Shadow, ComesFromEveryKindOfShape) {
           R"({"disc": {"center": [2, 2, 0], "normal": [1, 1, 0], "radius": 0.5}})",
           R"({"plane": {"point": [2, 2, 0], "normal": [1, 0, 0]}})",
           R"({"triangle": {"vertices": [[2, 2, -1], [2, 2.5, 1], [2, 1.5, 1]]}})",
-          R"({"torus": {"center": [2, 2.5, 0], "axis": [0, 0, 1], "major_radius": 0.5, "minor_radius": 0.2}})"})
+          R"({"torus": {"center": [2, 2.5, 0], "axis": [0, 0, 1], "major_radius": 0.5, "minor_radius": 0.2}})",
+          R"({"box": {"center": [2, 2, 0], "half_size": [0.5, 0.2, 0.3]}})",
+          R"({"cylinder": {"from": [2, 1.5, 0], "to": [2, 2.5, 0], "radius": 0.5}})",
+          R"({"capsule": {"from": [2, 2, -1], "to": [2, 2, 1], "radius": 0.3}})",
+          R"({"cone": {"from": [2, 1.5, 0], "to": [2, 2.5, 0], "radius": 0.5}})"})
         EXPECT_EQ(visibilityInTheMiddle(floorUnder("[4, 4, 0]", shape)), 0.0) << shape;
 }
 
@@ -81,6 +85,27 @@ TEST(Shadow, LeavesNoSpecksWhereTheLightStandsBehindTheEye) {
     int dark = 0;
     for (float v : image.pixels) dark += v < 1;
     EXPECT_EQ(dark, 0) << "everything seen is lit";
+}
+
+TEST(Shadow, LeavesNoSpecksOnConvexBodiesEither) {
+    Scene scene = sceneFrom(R"({"camera": {"eye": [0, 0, 1000], "target": [0, 0, 0]},
+        "lights": [{"point": {"position": [0, 0, 1500]}}], "objects": [
+        {"box": {"center": [-0.8, 0.8, 0], "half_size": [0.6, 0.5, 0.4]}},
+        {"cylinder": {"from": [0.4, 0.4, 0.3], "to": [1.2, 1.2, -0.5], "radius": 0.4}},
+        {"cylinder": {"from": [0, 0, -0.3], "to": [0, 0, 0.3], "radius": 0.25}},
+        {"capsule": {"from": [-1.2, -1.2, 0.4], "to": [-0.5, -0.5, -0.4], "radius": 0.3}},
+        {"cone": {"from": [0.9, -0.7, -0.5], "to": [0.7, -0.9, 0.8], "radius": 0.6}}]})");
+    scene.camera.fov = 0.2; // narrower than scene files allow: fills the picture from 1000 units away
+    const FloatImage object = outputOf(scene, sized(200, 200), Aov::Object);
+    const FloatImage image = outputOf(scene, sized(200, 200), Aov::Visibility);
+    std::vector<int> seen(5);
+    int dark = 0;
+    for (std::size_t i = 0; i < image.pixels.size(); ++i) {
+        if (object.pixels[i] >= 0) ++seen[std::size_t(object.pixels[i])];
+        dark += image.pixels[i] < 1;
+    }
+    EXPECT_EQ(dark, 0) << "everything seen is lit";
+    for (int count : seen) EXPECT_GT(count, 400);
 }
 
 /// Colour at the middle of a small picture.
@@ -130,6 +155,52 @@ TEST(Glass, NeitherAddsNorLosesLightInAWhiteRoom) {
             // What is still inside when the depth ends: (1 - F) F^6, at most 0.057 over all F.
             ASSERT_GE(value, 1.0f - 0.057f) << x << ' ' << y;
         }
+}
+
+// Light that total reflection keeps inside for longer than the ray tree is deep is lost, but none is ever added. In a
+// box it leaves, always at one angle, by the faces opposite to each other that it came in by, and has met both of them
+// before the tree ends: what is left inside is at most (1 - F) F^2 <= 4/27.
+TEST(Glass, InConvexBodiesAddsNoLightAndInABoxLosesNone) {
+    for (const char* body : {R"("box": {"center": [0, 0, 0], "half_size": [0.7, 0.8, 0.6]})",
+                             R"("cylinder": {"from": [-0.4, -0.7, 0], "to": [0.4, 0.7, 0], "radius": 0.5})",
+                             R"("capsule": {"from": [-0.4, -0.7, 0], "to": [0.4, 0.7, 0], "radius": 0.5})",
+                             R"("cone": {"from": [0, -0.7, 0], "to": [0.2, 0.7, 0.1], "radius": 0.7})"})
+        for (const char* eye : {"[0, 0, 5]", "[2.2, 1.7, 4]", "[-3, 4, 1]"}) {
+            SCOPED_TRACE(std::string(body) + " from " + eye);
+            const Scene scene = sceneFrom(std::string(R"({"camera": {"eye": )") + eye +
+                                          R"(, "target": [0, 0, 0], "fov": 30}, "background": {"color": [1, 1, 1]},
+                "materials": {"glass": {"ambient": 0, "diffuse": 0, "dielectric": {"ior": 1.5}}},
+                "objects": [{)" + body + R"(, "material": "glass"}]})");
+            Settings settings = sized(96, 96);
+            settings.threshold = 0;
+            const FloatImage image = outputOf(scene, settings, Aov::Color);
+            const bool box = std::string(body).find("box") != std::string::npos;
+            for (int y = 0; y < 96; ++y)
+                for (int x = 0; x < 96; ++x) {
+                    const float value = *image.at(x, y);
+                    ASSERT_LE(value, 1.0f + 1e-5f) << x << ' ' << y;
+                    if (box) ASSERT_GE(value, 1.0f - 4.0f / 27) << x << ' ' << y;
+                }
+        }
+}
+
+TEST(Glass, BoxShiftsWhatIsBehindItByThePlatesFormula) {
+    // Through a plate of thickness d at 45 degrees a ray leaves parallel to itself, shifted across itself by
+    // d sin(a) (1 - cos(a) / sqrt(n^2 - sin^2(a))): 0.3291 d for n = 1.5. An edge of light that far to the side says
+    // so.
+    const auto bright = [](double shift) {
+        const double edge = shift * std::sqrt(2.0); // along the wall y = -4 that the ray meets at 45 degrees
+        return colorInTheMiddle(sceneFrom(R"({"camera": {"eye": [-4, 4, 0], "target": [0, 0, 0], "fov": 5},
+            "materials": {"glass": {"ambient": 0, "diffuse": 0, "dielectric": {"ior": 1.5}},
+                          "bright": {"ambient": 0, "diffuse": 0, "emission": 1}},
+            "objects": [{"box": {"center": [0, 0, 0], "half_size": [3, 0.5, 3]}, "material": "glass"},
+                        {"box": {"center": [)" +
+                                          std::to_string(4 - edge + 5) +
+                                          R"(, -4.0001, 0], "half_size": [5, 0.0001, 5]}, "material": "bright"}]})"))
+                   .r > 0.5;
+    };
+    EXPECT_TRUE(bright(0.3291 + 0.002));
+    EXPECT_FALSE(bright(0.3291 - 0.002));
 }
 
 TEST(Glass, TurnsWhatIsBehindItUpsideDown) {

@@ -7,7 +7,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <limits>
 #include <ostream>
+#include <random>
+#include <string>
 
 namespace gnomon {
 namespace {
@@ -30,13 +34,29 @@ struct Case {
     const char* scene;
     double time;
     glm::dvec3 eye, target;
+    double fov = 0; ///< 0: the scene's own
 };
-std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.scene; }
+
+/// Two of each convex body: four side by side, near enough to stand in each, and four behind and beside them.
+constexpr const char* kConvex = R"({"objects": [
+    {"box": {"center": [-2, 1.2, 0], "half_size": [0.9, 0.6, 0.7]}},
+    {"cylinder": {"from": [0.4, 0.5, -0.3], "to": [2.6, 1.6, 0.5], "radius": 0.6}},
+    {"capsule": {"from": [-2.6, -1.6, 0.5], "to": [-1, -0.8, -0.6], "radius": 0.5}},
+    {"cone": {"from": [1.6, -1.9, 0], "to": [1.2, -0.2, 0.4], "radius": 0.8}},
+    {"box": {"center": [0, -1, -6], "half_size": [0.5, 3, 0.3]}},
+    {"cylinder": {"from": [4, -2, -3], "to": [4, 2, -3], "radius": 0.4}},
+    {"capsule": {"from": [-4, -2, -3], "to": [-4, 2, -3], "radius": 0.3}},
+    {"cone": {"from": [0, 4, -4], "to": [0, 2.2, -4], "radius": 1.5}}]})";
+
+Scene sceneOf(const char* nameOrText) { return *nameOrText == '{' ? sceneFrom(nameOrText) : sceneNamed(nameOrText); }
+std::string nameOf(const char* nameOrText) { return *nameOrText == '{' ? "convex" : nameOrText; }
+std::ostream& operator<<(std::ostream& out, const Case& c) { return out << nameOf(c.scene); }
 
 class PrimaryHits : public testing::TestWithParam<Case> {
   protected:
     void SetUp() override {
-        scene = sceneNamed(GetParam().scene);
+        scene = sceneOf(GetParam().scene);
+        if (GetParam().fov > 0) scene.camera.fov = GetParam().fov;
         settings = small(GetParam().time);
         settings.eye = GetParam().eye;
         settings.target = GetParam().target;
@@ -67,6 +87,9 @@ class PrimaryHits : public testing::TestWithParam<Case> {
         EXPECT_GT(certain, kWidth * kHeight * 95 / 100);
     }
 
+    /// Which of two faces is met so near to an edge is rounding, and the faces' normals and slopes differ.
+    static bool atAnEdge(const OracleHit& hit) { return hit.edge < 40 * slack(hit.t); }
+
     Scene scene;
     Settings settings;
     std::vector<OracleHit> exact;
@@ -85,6 +108,7 @@ TEST_P(PrimaryHits, LieAtTheOraclesDistance) {
             EXPECT_TRUE(std::isinf(*image.at(x, y)));
             return;
         }
+        if (atAnEdge(hit)) return;
         Vec origin, direction;
         pixelRay(scene.camera, x, y, kWidth, kHeight, origin, direction);
         const long double cosine = std::abs(glm::dot(hit.normal, direction));
@@ -95,6 +119,7 @@ TEST_P(PrimaryHits, LieAtTheOraclesDistance) {
 TEST_P(PrimaryHits, LieOnTheOraclesPoint) {
     const FloatImage image = output(Aov::Position);
     eachCertainPixel([&](int x, int y, const OracleHit& hit) {
+        if (atAnEdge(hit)) return;
         Vec origin, direction;
         pixelRay(scene.camera, x, y, kWidth, kHeight, origin, direction);
         const long double cosine = hit.object < 0 ? 1 : std::abs(glm::dot(hit.normal, direction));
@@ -114,7 +139,12 @@ TEST_P(PrimaryHits, HaveTheOraclesNormal) {
             return;
         }
         EXPECT_NEAR(double(glm::length(normal)), 1.0, 1e-6);
-        EXPECT_LE(double(glm::length(normal - hit.normal)), 2e-3) << x << ' ' << y;
+        if (atAnEdge(hit)) return;
+        Vec origin, direction;
+        pixelRay(scene.camera, x, y, kWidth, kHeight, origin, direction);
+        const long double cosine = std::abs(glm::dot(hit.normal, direction));
+        EXPECT_LE(double(glm::length(normal - hit.normal)), double(2e-3L + 2 * slack(hit.t) * hit.turn / cosine))
+            << x << ' ' << y;
     });
 }
 
@@ -122,8 +152,143 @@ INSTANTIATE_TEST_SUITE_P(
     Views, PrimaryHits,
     testing::Values(Case{"lite", 0, {0, 0, 35}, {0, 0, 0}}, Case{"lite", 3.7, {12, 4, 20}, {0, -1, 0}},
                     Case{"pro", 0, {0, 0, 35}, {0, 0, 0}}, Case{"pro", 1.5, {14, 2, 8}, {9, -1, 0}},
-                    Case{"torus", 0, {0, 1.6, 4.5}, {0, 0, 0}}, Case{"torus", 0, {0.3, 0.2, 40}, {0, 0, 0}}),
-    [](const auto& test) { return std::string(test.param.scene) + std::to_string(test.index); });
+                    Case{"torus", 0, {0, 1.6, 4.5}, {0, 0, 0}}, Case{"torus", 0, {0.3, 0.2, 40}, {0, 0, 0}},
+                    Case{"shapes", 0, {0.4, 2.5, 7.2}, {0, 0.6, 0}}, Case{kConvex, 0, {0.5, 1, 9}, {0, 0, 0}},
+                    Case{kConvex, 0, {0, 0, 9}, {0, 0, 0}}, Case{kConvex, 0, {7, 5, -8}, {0, 0, 0}},
+                    Case{kConvex, 0, {9, 0, 0}, {0, 0, 0}},
+                    Case{kConvex, 0, {100, 150, 240}, {0, 0, 0}, 1.2},          // 300 units away
+                    Case{kConvex, 0, {-2.3, 1.3, 0.2}, {-2, 1.2, 0}, 100},      // in the box
+                    Case{kConvex, 0, {1.5, 1, 0.3}, {2.6, 1.6, 0.5}, 100},      // in the cylinder
+                    Case{kConvex, 0, {-1.8, -1.2, 0}, {-2.6, -1.6, 0.5}, 100},  // in the capsule
+                    Case{kConvex, 0, {1.5, -1.5, 0.1}, {1.2, -0.2, 0.4}, 100}), // in the cone
+    [](const auto& test) { return nameOf(test.param.scene) + std::to_string(test.index); });
+
+/// What the headers of the shapes state as their error, in sizes (the radius of the bounding sphere).
+struct Bound {
+    const char* key;
+    double decision; ///< no wrong decision farther than this from tangency
+    double point;    ///< distance of the surface point from the surface
+    double t;        ///< ulp of the distance beyond what the point's error over the cosine explains
+};
+std::ostream& operator<<(std::ostream& out, const Bound& b) { return out << b.key; }
+
+class FromTenThousandUnits : public testing::TestWithParam<Bound> {};
+
+// The camera looks along -z from so far that the length of every direction rounds to 1 and each component is one exact
+// product: the rays are known to the last bit, and what differs from the oracle is the intersector's own error.
+TEST_P(FromTenThousandUnits, ErrorsAreWhatTheShapesFileStates) {
+    const Bound& bound = GetParam();
+    constexpr int kSide = 64;
+    constexpr double kFar = 1e4;
+    std::mt19937 random(7);
+    const auto number = [&] { return double(float(random() / 4294967296.0 * 2 - 1)); };
+    const auto list = [](glm::dvec3 v) {
+        char text[100];
+        std::snprintf(text, sizeof text, "[%.9g, %.9g, %.9g]", v.x, v.y, v.z);
+        return std::string(text);
+    };
+    long double wrong = 0, away = 0, late = 0;
+    int hits = 0;
+    for (int round = 0; round < 24; ++round) {
+        const glm::dvec3 a(number(), number(), number()), b(number(), number(), number());
+        const std::string key = bound.key, radius = std::to_string(0.15 + 0.25 * (1 + number()));
+        Scene scene =
+            sceneFrom(R"({"objects": [{")" + key + R"(": {)" +
+                      (key == "box" ? R"("center": )" + list(0.3 * a) + R"(, "half_size": )" + list(abs(b) + 0.05)
+                                    : R"("from": )" + list(a) + R"(, "to": )" + list(round == 0 ? -a : b) +
+                                          R"(, "radius": )" + radius) +
+                      "}}]}");
+        const Shape& shape = scene.objects[0].shape;
+        const double size =
+            key == "box" ? glm::length(pointOf(shape, "half_size"))
+                         : glm::distance(pointOf(shape, "from"), pointOf(shape, "to")) / 2 + lengthOf(shape, "radius");
+        glm::dvec3 eye(0.25 * number(), 0.25 * number(), kFar);
+        if (round % 2) { // close to a silhouette, to be found by bisection from the middle outwards
+            const glm::dvec3 middle = key == "box" ? 0.3 * a : 0.5 * (pointOf(shape, "from") + pointOf(shape, "to"));
+            const double turn = 6.3 * number();
+            const glm::dvec3 outwards(std::cos(turn), std::sin(turn), 0);
+            double low = 0, high = 3;
+            for (int k = 0; k < 50; ++k) {
+                eye = glm::dvec3(middle.x, middle.y, kFar) + (low + high) / 2 * outwards;
+                (oracleHit({shape}, Vec(eye), Vec(0, 0, -1)).object < 0 ? high : low) = (low + high) / 2;
+            }
+        }
+        scene.camera.eye = glm::dvec3(glm::vec3(eye));
+        scene.camera.target = glm::dvec3(scene.camera.eye.x, scene.camera.eye.y, 0);
+        scene.camera.fov = glm::degrees(2 * std::atan(round % 2 ? 1e-9 : 1.6e-4));
+        Settings settings;
+        settings.size = {kSide, kSide};
+        const FloatImage distance = outputOf(scene, settings, Aov::Distance);
+        const FloatImage position = outputOf(scene, settings, Aov::Position);
+        const CameraFrame frame = frameOf(scene.camera);
+        ASSERT_EQ(frame.forward, glm::dvec3(0, 0, -1));
+        const float scale = float(frame.halfHeight);
+        for (int y = 0; y < kSide; ++y)
+            for (int x = 0; x < kSide; ++x) {
+                const float u = (2 * float(x) + 1) / kSide - 1, v = 1 - (2 * float(y) + 1) / kSide;
+                const Vec ray(u * scale, v * scale, -1);
+                ASSERT_EQ(float(glm::dot(ray, ray)), 1.0f);
+                const long double length = glm::length(ray);
+                const OracleHit exact = oracleHit({shape}, Vec(scene.camera.eye), ray / length);
+                const float t = *distance.at(x, y);
+                if (std::isinf(t) != (exact.object < 0)) wrong = std::max(wrong, exact.margin / size);
+                if (std::isinf(t)) continue;
+                const float* p = position.at(x, y);
+                away = std::max(away, std::abs(signedDistance(shape, Vec(p[0], p[1], p[2]))) / size);
+                if (exact.object < 0) continue;
+                ++hits;
+                const long double cosine = std::abs(glm::dot(exact.normal, ray));
+                const long double excess = std::abs(t - exact.t / length) - bound.decision * size / cosine;
+                if (exact.edge > 1e-5L && exact.margin > 1e-5L) late = std::max(late, excess / 0x1p-10L);
+            }
+    }
+    EXPECT_GT(hits, 20000);
+    EXPECT_LE(double(wrong), bound.decision);
+    EXPECT_LE(double(away), bound.point);
+    EXPECT_LE(double(late), bound.t);
+}
+
+INSTANTIATE_TEST_SUITE_P(Convex, FromTenThousandUnits,
+                         testing::Values(Bound{"box", 0x1p-24, 0x1p-23, 1}, Bound{"cylinder", 0x1p-22, 0x1p-22, 1},
+                                         Bound{"capsule", 0x1p-22, 0x1p-22, 1}, Bound{"cone", 0x1p-22, 0x1p-22, 1}),
+                         [](const auto& test) { return std::string(test.param.key); });
+
+// The middle ray runs along -z exactly: parallel to faces, to axes and, on the tilted cone, to a line of its side.
+TEST(ParallelRays, MeetConvexBodiesWhereTheyAre) {
+    struct Row {
+        const char* shape;
+        double distance; ///< from (0, 0, 9); infinite: passes by
+    };
+    const double kNone = std::numeric_limits<double>::infinity();
+    const Row rows[] = {
+        {R"("box": {"center": [0.3, 0.2, 0], "half_size": [0.5, 0.5, 1]})", 8},
+        {R"("box": {"center": [1, 0, 0], "half_size": [0.5, 0.5, 1]})", kNone},
+        {R"("box": {"center": [0.25, 0, 9], "half_size": [0.5, 0.5, 2]})", 2}, // the eye is inside
+        {R"("cylinder": {"from": [0.3, 0, -1], "to": [0.3, 0, 1], "radius": 0.5})", 8},
+        {R"("cylinder": {"from": [0.6, 0, -1], "to": [0.6, 0, 1], "radius": 0.5})", kNone},
+        {R"("cylinder": {"from": [0, 0, 8], "to": [0, 0, 10], "radius": 0.5})", 1},
+        {R"("capsule": {"from": [0, 0, -1], "to": [0, 0, 1], "radius": 0.5})", 7.5},
+        {R"("capsule": {"from": [0.6, 0, -1], "to": [0.6, 0, 1], "radius": 0.5})", kNone},
+        {R"("cone": {"from": [0, 0, -1], "to": [0, 0, 1], "radius": 0.5})", 8},
+        {R"("cone": {"from": [0, 0, 1], "to": [0, 0, -1], "radius": 0.5})", 8},
+        {R"("cone": {"from": [0.25, 0, -1], "to": [0.25, 0, 1], "radius": 0.5})", 9}, // half way down
+        {R"("cone": {"from": [0.6, 0, -1], "to": [0.6, 0, 1], "radius": 0.5})", kNone},
+        // Of half angle 45°, the ray parallel to one line of the side: in by the base, and in by the line across.
+        {R"("cone": {"from": [-0.4, 0, 0.4], "to": [1.6, 0, -1.6], "radius": 2.8284271247461903})", 8.2},
+        {R"("cone": {"from": [-0.4, 0, -0.4], "to": [1.6, 0, 1.6], "radius": 2.8284271247461903})", 7.4},
+    };
+    Settings settings;
+    settings.size = {9, 9};
+    for (const Row& row : rows) {
+        const Scene scene = sceneFrom(
+            std::string(R"({"camera": {"eye": [0, 0, 9], "target": [0, 0, 0]}, "objects": [{)") + row.shape + "}]}");
+        const float t = *outputOf(scene, settings, Aov::Distance).at(4, 4);
+        if (std::isinf(row.distance))
+            EXPECT_TRUE(std::isinf(t)) << row.shape << ' ' << t;
+        else
+            EXPECT_NEAR(t, row.distance, 4e-6) << row.shape;
+    }
+}
 
 TEST(Outputs, GiveInfinityZeroAndMinusOneWhereNothingIsHit) {
     const Scene scene = sceneFrom(R"({"camera": {"eye": [0, 0, 5], "target": [0, 0, 9]},

@@ -58,7 +58,7 @@ TEST_P(SceneData, PacksEveryShapeWhereItsConstantsSay) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, SceneData, testing::Values("lite", "pro", "torus"));
+INSTANTIATE_TEST_SUITE_P(Scenes, SceneData, testing::Values("lite", "pro", "torus", "shapes"));
 
 TEST(SceneDataOfLite, GivesGoldTheReflectanceOfTheSource) {
     const Scene scene = sceneNamed("lite");

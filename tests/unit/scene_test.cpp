@@ -334,7 +334,7 @@ TEST(TorusScene, StandsItsTorusOnTheGround) {
 }
 
 TEST(ShippedScenes, AllHaveATitleADescriptionAndTheNameOfTheirFile) {
-    for (const char* name : {"lite", "pro", "torus"}) {
+    for (const char* name : {"lite", "pro", "torus", "shapes"}) {
         const Scene scene = shipped(name);
         EXPECT_EQ(scene.name, name);
         EXPECT_FALSE(scene.title.empty()) << name;

@@ -16,6 +16,10 @@ Shape triangle(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
     return {ShapeKind::Triangle, {glm::dvec4(a, 0), glm::dvec4(b, 0), glm::dvec4(c, 0)}};
 }
 
+Shape cylinder(glm::dvec3 from, glm::dvec3 to) {
+    return {ShapeKind::Cylinder, {glm::dvec4(from, 0.5), glm::dvec4(to, 0), glm::dvec4(0)}};
+}
+
 bool accepts(const Shape& shape) { return shapeRow(shape.kind).check(shape)[0].empty(); }
 
 TEST(ShapeTable, IsInTheOrderOfItsKinds) {
@@ -67,6 +71,19 @@ TEST(Shape, MovesAllVerticesOfATriangle) {
     EXPECT_EQ(moved.texels[2], glm::dvec4(0, 1, 5, 0));
 }
 
+TEST(Shape, MovesBothEndsOfACylinder) {
+    const Shape moved = translated(cylinder({0, 0, 0}, {1, 0, 0}), {0, 0, 5});
+    EXPECT_EQ(moved.texels[0], glm::dvec4(0, 0, 5, 0.5));
+    EXPECT_EQ(moved.texels[1], glm::dvec4(1, 0, 5, 0));
+}
+
+TEST(Shape, MovesABoxButNotItsSize) {
+    const Shape box{ShapeKind::Box, {glm::dvec4(1, 2, 3, 0), glm::dvec4(4, 5, 6, 0), glm::dvec4(0)}};
+    const Shape moved = translated(box, {10, 20, 30});
+    EXPECT_EQ(pointOf(moved, "center"), glm::dvec3(11, 22, 33));
+    EXPECT_EQ(pointOf(moved, "half_size"), glm::dvec3(4, 5, 6));
+}
+
 TEST(Shape, IsStoodForByItsFirstPoint) {
     EXPECT_EQ(referencePoint(torus(2, 0.5)), glm::dvec3(1, 2, 3));
     EXPECT_EQ(referencePoint(triangle({4, 5, 6}, {1, 0, 0}, {0, 1, 0})), glm::dvec3(4, 5, 6));
@@ -77,6 +94,14 @@ TEST(Torus, NeedsAHole) {
     EXPECT_FALSE(accepts(torus(1, 1)));
     EXPECT_FALSE(accepts(torus(1, 1 - 1e-9))) << "equal in float32";
     EXPECT_FALSE(accepts(torus(1, 2)));
+}
+
+TEST(Axis, NeedsTwoPointsThatFloatsCanTell) {
+    EXPECT_TRUE(accepts(cylinder({0, 0, 0}, {0, 1e-5, 0}))) << "short is not nothing";
+    EXPECT_TRUE(accepts(cylinder({0, 0, 0}, {0, 1e-6, 0}))) << "the limit itself";
+    EXPECT_FALSE(accepts(cylinder({1, 2, 3}, {1, 2, 3})));
+    EXPECT_FALSE(accepts(cylinder({0, 0, 0}, {0, 1e-7, 0})));
+    EXPECT_FALSE(accepts(cylinder({1000, 0, 0}, {1000 + 1e-5, 0, 0}))) << "one point in float32";
 }
 
 TEST(Triangle, NeedsAnAreaThatFloatsCanTell) {

@@ -141,6 +141,7 @@ ValueType valueType(FieldType type) {
     case FieldType::Point: return Vector;
     case FieldType::Direction: return Direction;
     case FieldType::Length: return Number;
+    case FieldType::Lengths: return Vector;
     case FieldType::Vertices: return Vertices;
     }
     return Ignored;
@@ -151,9 +152,11 @@ const ObjectFormat& shapeFormat(const ShapeRow& row) {
         std::vector<ObjectFormat> all;
         for (const ShapeRow& shape : shapeTable()) {
             ObjectFormat& format = all.emplace_back();
-            for (const ShapeField& field : shape.fields)
-                format.fields.push_back({field.key, valueType(field.type),
-                                         field.type == FieldType::Length ? kLength : kCoordinate, field.help, true});
+            for (const ShapeField& field : shape.fields) {
+                const bool length = field.type == FieldType::Length || field.type == FieldType::Lengths;
+                format.fields.push_back(
+                    {field.key, valueType(field.type), length ? kLength : kCoordinate, field.help, true});
+            }
         }
         return all;
     }();

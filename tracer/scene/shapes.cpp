@@ -33,6 +33,18 @@ Complaint checkTorus(const Shape& shape) {
             "use minor_radius < " + toString(major)};
 }
 
+/// Compared as the shader will see them, in float32, and with room for the squares that it forms of their distance.
+Complaint checkAxis(const Shape& shape) {
+    constexpr double kShortest = 1e-6;
+    const glm::dvec3 from = pointOf(shape, "from"), to = pointOf(shape, "to");
+    const double length = glm::distance(glm::dvec3{glm::vec3(from)}, glm::dvec3{glm::vec3(to)});
+    if (float(length) >= float(kShortest)) return {};
+    return {"from and to are " +
+                (length > 0 ? toString(glm::distance(from, to)) + " apart" : std::string("one point")) +
+                ": the shape has no axis",
+            "move them at least " + toString(kShortest) + " apart"};
+}
+
 const std::array<ShapeRow, kShapeKinds>& rows() {
     using enum FieldType;
     // clang-format off
@@ -59,6 +71,25 @@ const std::array<ShapeRow, kShapeKinds>& rows() {
           {"major_radius", Length, 0, 3, "From the centre to the middle of the tube"},
           {"minor_radius", Length, 1, 3, "Radius of the tube, less than major_radius"}},
          checkTorus},
+        {ShapeKind::Box, "box", "Box", 2,
+         {{"center", Point, 0, 0, "Centre"},
+          {"half_size", Lengths, 1, 0, "From the centre to the faces across x, y and z"}},
+         nothingWrong},
+        {ShapeKind::Cylinder, "cylinder", "Cylinder", 2,
+         {{"from", Point, 0, 0, "Centre of one end"},
+          {"to", Point, 1, 0, "Centre of the other end"},
+          {"radius", Length, 0, 3, "Radius"}},
+         checkAxis},
+        {ShapeKind::Capsule, "capsule", "Capsule", 2,
+         {{"from", Point, 0, 0, "Centre of the round end"},
+          {"to", Point, 1, 0, "Centre of the other round end"},
+          {"radius", Length, 0, 3, "Radius of the ends and of the cylinder between them"}},
+         checkAxis},
+        {ShapeKind::Cone, "cone", "Cone", 2,
+         {{"from", Point, 0, 0, "Centre of the base"},
+          {"to", Point, 1, 0, "Apex"},
+          {"radius", Length, 0, 3, "Radius of the base"}},
+         checkAxis},
     }};
     // clang-format on
     return table;

@@ -15,8 +15,8 @@
 
 namespace gnomon {
 
-enum class ShapeKind { Sphere, Plane, Disc, Triangle, Torus };
-inline constexpr int kShapeKinds = 5;
+enum class ShapeKind { Sphere, Plane, Disc, Triangle, Torus, Box, Cylinder, Capsule, Cone };
+inline constexpr int kShapeKinds = 9;
 
 /// Most texels (vec4) the geometry of one shape may take.
 inline constexpr int kMaxShapeTexels = 3;
@@ -25,6 +25,7 @@ enum class FieldType {
     Point,     ///< three coordinates, moves with the object
     Direction, ///< three numbers, not all zero; normalised on reading
     Length,    ///< one number > 0
+    Lengths,   ///< three numbers > 0, along x, y and z
     Vertices,  ///< three points in one JSON array, in texels `texel`, `texel + 1`, `texel + 2`
 };
 

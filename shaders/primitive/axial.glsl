@@ -1,0 +1,70 @@
+// What the shapes about an axis share: the axis between two points, and a ray seen from it.
+//
+// axialRay  the ray re-centred on the middle of the axis and split into its parts along and across it
+// around    unit direction from the axis to a point; any where the point lies on the axis
+// Error     parts across: 2^-23 of the distance from the middle of the axis
+// Limits    the two points differ
+#include "primitive/convex.glsl"
+
+struct Axis {
+    vec3 middle;
+    vec3 along; // unit
+    float halfLength;
+};
+
+struct AxialRay {
+    NearRay near;
+    vec3 across;     // of near.origin
+    vec3 acrossStep; // of the direction
+    float along;
+    float alongStep;
+};
+
+Axis axisBetween(vec3 from, vec3 to) {
+    vec3 reach = 0.5 * (to - from);
+    float halfLength = length(reach);
+    return Axis(from + reach, reach / halfLength, halfLength);
+}
+
+AxialRay axialRay(Axis axis, Ray ray) {
+    NearRay near = recentre(ray.origin - axis.middle, ray.direction);
+    float along = dot(near.origin, axis.along);
+    float alongStep = dot(ray.direction, axis.along);
+    return AxialRay(near, near.origin - along * axis.along, ray.direction - alongStep * axis.along, along, alongStep);
+}
+
+// The world axis least along the shape's, laid across it; +x wherever the axis is not mostly x.
+vec3 firstAcross(Axis axis) {
+    vec3 first = abs(axis.along.x) < 0.9 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 0.0, -1.0);
+    return normalize(first - dot(first, axis.along) * axis.along);
+}
+
+vec3 around(Axis axis, vec3 across) {
+    across -= dot(across, axis.along) * axis.along; // what rounding left along the axis counts close to it
+    float away = length(across);
+    return away > 0.0 ? across / away : firstAcross(axis);
+}
+
+// A flat end: the point at +-halfLength (`top`) of the axis, kept within the radius.
+Surface surfaceEnd(Axis axis, float radius, float top, vec3 across) {
+    across *= min(1.0, radius / max(length(across), 1e-30));
+    vec3 normal = top * axis.along;
+    Surface surface = bareSurface(axis.middle + (axis.halfLength * normal + across), normal, 0.0);
+#if IMAGES
+    surface.tangent = firstAcross(axis);
+    surface.uv = 0.5 + 0.5 * vec2(dot(across, surface.tangent), dot(across, cross(surface.tangent, normal))) / radius;
+    surface.uvPerUnit = vec2(0.5 / radius);
+#endif
+    return surface;
+}
+
+#if IMAGES
+// u runs once around the axis, `down` is v; `radius` is that of the circle around the axis.
+void wrapAround(inout Surface surface, Axis axis, vec3 outward, float radius, float down, float downPerUnit) {
+    const float kTwoPi = 6.28318530717959;
+    vec3 first = firstAcross(axis);
+    surface.uv = vec2(0.5 + atan(dot(outward, cross(axis.along, first)), dot(outward, first)) / kTwoPi, down);
+    surface.uvPerUnit = vec2(1.0 / (kTwoPi * radius), downPerUnit);
+    surface.tangent = cross(axis.along, outward);
+}
+#endif

@@ -1,0 +1,56 @@
+// Capsule: the points within `radius` of the stretch from one point to another.
+//
+// intersectCapsule  nearest t in (ray.tMin, t); from inside the far side
+// surfaceCapsule    point put back to `radius` from the stretch; u runs once around, v from the tip at `to` to that at `from`
+// Error             t: 1 ulp of the distance + 2^-22 size / cosine; edge decisions wrong only within 2^-22 size of
+//                   tangency; surface point within 2^-22 size of the surface; size: radius of the bounding sphere
+//                   (measured from 1e4 units away, tests/shader/outputs_test.cpp)
+// Source            ray re-centred on the middle (ray/split.glsl), then the hull of the spans of its two spheres and of the
+//                   cylinder between them (primitive/convex.glsl)
+// Limits            radius > 0; from and to differ
+#include "primitive/axial.glsl"
+
+struct Capsule {
+    Axis axis;
+    float radius;
+};
+
+Capsule loadCapsule(int at) {
+    vec4 a = sceneTexel(at);
+    return Capsule(axisBetween(a.xyz, sceneTexel(at + 1).xyz), a.w);
+}
+
+vec2 capsuleSpan(Capsule capsule, AxialRay local, vec3 direction) {
+    vec3 tip = capsule.axis.halfLength * capsule.axis.along;
+    vec2 wall = commonSpan(roundSpan(local.across, local.acrossStep, capsule.radius),
+                           slabSpan(local.along, local.alongStep, capsule.axis.halfLength));
+    vec2 tips = hullSpan(roundSpan(local.near.origin - tip, direction, capsule.radius),
+                         roundSpan(local.near.origin + tip, direction, capsule.radius));
+    return hullSpan(wall, tips);
+}
+
+bool intersectCapsule(Capsule capsule, Ray ray, float side, inout float t) {
+    if (side > 0.0) return false; // convex: what leaves it never comes back
+    float reach = capsule.axis.halfLength + capsule.radius;
+    if (side == 0.0 && passesBy(ray.origin - capsule.axis.middle, ray.direction, reach)) return false;
+    AxialRay local = axialRay(capsule.axis, ray);
+    return meetConvex(local.near, capsuleSpan(capsule, local, ray.direction), ray, side, t);
+}
+
+Surface surfaceCapsule(Capsule capsule, Ray ray, float t) {
+    Axis axis = capsule.axis;
+    AxialRay local = axialRay(axis, ray);
+    float end;
+    float s = spanEnd(local.near, capsuleSpan(capsule, local, ray.direction), t, end);
+    float along = local.along + s * local.alongStep;
+    float onAxis = clamp(along, -axis.halfLength, axis.halfLength);
+    vec3 across = local.across + s * local.acrossStep;
+    vec3 normal = normalize(across + (along - onAxis) * axis.along);
+    Surface surface = bareSurface(axis.middle + (onAxis * axis.along + capsule.radius * normal), normal, 1.0 / capsule.radius);
+#if IMAGES
+    float perUnit = 1.0 / (3.14159265358979 * capsule.radius + 2.0 * axis.halfLength);
+    float lean = asin(clamp(dot(normal, axis.along), -1.0, 1.0));
+    wrapAround(surface, axis, around(axis, across), capsule.radius, 0.5 - (onAxis + capsule.radius * lean) * perUnit, perUnit);
+#endif
+    return surface;
+}

@@ -1,0 +1,80 @@
+// Cone: a round body that narrows from `radius` about one point, its base, to nothing at another, its apex.
+//
+// intersectCone  nearest t in (ray.tMin, t); from inside the far side
+// surfaceCone    point put back onto side or base; u runs once around, v from 0 at the apex to 1 at the base; the base shows
+//                uv 0 … 1 over the square about it
+// Error          t: 1 ulp of the distance + 2^-22 size / cosine; edge decisions wrong only within 2^-22 size of
+//                tangency; surface point within 2^-22 size of the surface; size: radius of the bounding sphere
+//                (measured from 1e4 units away, tests/shader/outputs_test.cpp)
+// Source         ray re-centred on the middle (ray/split.glsl). With w below the apex, x across the axis and the half angle's
+//                sine S and cosine C the side is C²x² - S²w² = 0. Its discriminant is C²((S g)² - (C m)²), where m and g are
+//                the moments of the ray about the apex along and across the axis: nothing cancels but what tangency is
+//                made of. The slab between base and apex keeps the right one of the two nappes
+// Limits         radius > 0; base and apex differ; the normal at the apex is that of the side nearest to the ray
+#include "primitive/axial.glsl"
+
+struct Cone {
+    Axis axis; // from the base to the apex
+    float radius;
+};
+
+Cone loadCone(int at) {
+    vec4 a = sceneTexel(at);
+    return Cone(axisBetween(a.xyz, sceneTexel(at + 1).xyz), a.w);
+}
+
+// Sine and cosine of the angle between axis and side.
+vec2 coneAngle(Cone cone) { return normalize(vec2(cone.radius, 2.0 * cone.axis.halfLength)); }
+
+// Within the side, without its ends: of the nappe about the base where the ray meets both.
+vec2 coneSide(Cone cone, AxialRay local) {
+    vec2 angle = coneAngle(cone);
+    float below = cone.axis.halfLength - local.along;
+    float belowStep = -local.alongStep;
+    float away = angle.y * length(local.across);
+    float awayStep = angle.y * length(local.acrossStep);
+    float g = angle.x * length(local.across * belowStep - local.acrossStep * below);
+    float m = angle.y * length(cross(local.across, local.acrossStep));
+    float a = (awayStep - angle.x * abs(belowStep)) * (awayStep + angle.x * abs(belowStep));
+    float b = angle.y * angle.y * dot(local.across, local.acrossStep) - angle.x * angle.x * below * belowStep;
+    float c = (away - angle.x * below) * (away + angle.x * below);
+    float discriminant = angle.y * angle.y * (g - m) * (g + m);
+    if (discriminant < 0.0 && a > 0.0) return kNever;
+    if (abs(a) < kParallel) a = a < 0.0 ? -kParallel : kParallel; // along a side: the other root is far off
+    vec2 roots = rootsOf(a, b, c, max(discriminant, 0.0)); // a steep ray always meets the side, at the apex at the latest
+    if (a > 0.0) return roots;
+    return belowStep > 0.0 ? vec2(roots.y, kAlways.y) : vec2(kAlways.x, roots.x);
+}
+
+bool intersectCone(Cone cone, Ray ray, float side, inout float t) {
+    if (side > 0.0) return false; // convex: what leaves it never comes back
+    float reach = length(vec2(cone.axis.halfLength, cone.radius));
+    if (side == 0.0 && passesBy(ray.origin - cone.axis.middle, ray.direction, reach)) return false;
+    AxialRay local = axialRay(cone.axis, ray);
+    vec2 span = commonSpan(coneSide(cone, local), slabSpan(local.along, local.alongStep, cone.axis.halfLength));
+    return meetConvex(local.near, span, ray, side, t);
+}
+
+Surface surfaceCone(Cone cone, Ray ray, float t) {
+    Axis axis = cone.axis;
+    AxialRay local = axialRay(axis, ray);
+    vec2 wall = coneSide(cone, local);
+    vec2 ends = slabSpan(local.along, local.alongStep, axis.halfLength);
+    float end;
+    float s = spanEnd(local.near, commonSpan(wall, ends), t, end);
+    vec3 across = local.across + s * local.acrossStep;
+    bool atEnd = end < 0.0 ? ends.x >= wall.x : ends.y <= wall.y;
+    if (atEnd && slabSide(local.along, local.alongStep, end) < 0.0) return surfaceEnd(axis, cone.radius, -1.0, across);
+    vec2 angle = coneAngle(cone);
+    vec3 outward = around(axis, across);
+    float below = axis.halfLength - (local.along + s * local.alongStep);
+    float slant = length(vec2(cone.radius, 2.0 * axis.halfLength));
+    float down = clamp(angle.x * dot(across, outward) + angle.y * below, 0.0, slant); // from the apex along the side
+    vec3 offset = (axis.halfLength - angle.y * down) * axis.along + angle.x * down * outward;
+    float away = max(angle.x * down, 1e-6 * cone.radius);
+    Surface surface = bareSurface(axis.middle + offset, angle.y * outward + angle.x * axis.along, angle.y / away);
+#if IMAGES
+    wrapAround(surface, axis, outward, away, down / slant, 1.0 / slant);
+#endif
+    return surface;
+}

@@ -1,0 +1,53 @@
+// Cylinder: the points within `radius` of the line from one point to another, between the two planes across its ends.
+//
+// intersectCylinder  nearest t in (ray.tMin, t); from inside the far side
+// surfaceCylinder    point put back onto side or end; u runs once around, v from 0 at `to` to 1 at `from`; each end shows
+//                    uv 0 … 1 over the square about it
+// Error              t: 1 ulp of the distance + 2^-22 size / cosine; edge decisions wrong only within 2^-22 size of
+//                    tangency; surface point within 2^-22 size of the surface; size: radius of the bounding sphere
+//                    (measured from 1e4 units away, tests/shader/outputs_test.cpp)
+// Source             ray re-centred on the middle (ray/split.glsl), then the common part of a round span across the axis and
+//                    a slab along it (primitive/convex.glsl)
+// Limits             radius > 0; from and to differ
+#include "primitive/axial.glsl"
+
+struct Cylinder {
+    Axis axis;
+    float radius;
+};
+
+Cylinder loadCylinder(int at) {
+    vec4 a = sceneTexel(at);
+    return Cylinder(axisBetween(a.xyz, sceneTexel(at + 1).xyz), a.w);
+}
+
+bool intersectCylinder(Cylinder cylinder, Ray ray, float side, inout float t) {
+    if (side > 0.0) return false; // convex: what leaves it never comes back
+    float reach = length(vec2(cylinder.axis.halfLength, cylinder.radius));
+    if (side == 0.0 && passesBy(ray.origin - cylinder.axis.middle, ray.direction, reach)) return false;
+    AxialRay local = axialRay(cylinder.axis, ray);
+    vec2 span = commonSpan(roundSpan(local.across, local.acrossStep, cylinder.radius),
+                           slabSpan(local.along, local.alongStep, cylinder.axis.halfLength));
+    return meetConvex(local.near, span, ray, side, t);
+}
+
+Surface surfaceCylinder(Cylinder cylinder, Ray ray, float t) {
+    Axis axis = cylinder.axis;
+    AxialRay local = axialRay(axis, ray);
+    vec2 wall = roundSpan(local.across, local.acrossStep, cylinder.radius);
+    vec2 ends = slabSpan(local.along, local.alongStep, axis.halfLength);
+    float end;
+    float s = spanEnd(local.near, commonSpan(wall, ends), t, end);
+    vec3 across = local.across + s * local.acrossStep;
+    if (end < 0.0 ? ends.x >= wall.x : ends.y <= wall.y)
+        return surfaceEnd(axis, cylinder.radius, slabSide(local.along, local.alongStep, end), across);
+    vec3 normal = around(axis, across);
+    float along = clamp(local.along + s * local.alongStep, -axis.halfLength, axis.halfLength);
+    vec3 offset = along * axis.along + cylinder.radius * normal;
+    Surface surface = bareSurface(axis.middle + offset, normal, 1.0 / cylinder.radius);
+#if IMAGES
+    float perUnit = 0.5 / axis.halfLength;
+    wrapAround(surface, axis, normal, cylinder.radius, 0.5 - along * perUnit, perUnit);
+#endif
+    return surface;
+}
