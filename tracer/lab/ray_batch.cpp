@@ -1,6 +1,7 @@
 #include "tracer/lab/ray_batch.h"
 
 #include "tracer/gl/objects.h"
+#include "tracer/render/program_cache.h"
 #include "tracer/render/scene_data.h"
 #include "tracer/shader/shader_builder.h"
 
@@ -10,10 +11,9 @@
 namespace gnomon {
 namespace {
 
-constexpr int kWidth = 512;                 // rays a row
-constexpr int kMostRows = 512;              // rows a draw
-constexpr GLsizeiptr kFrameBytes = 11 * 16; // of the frame block, which the intersectors read only zeroes from
-constexpr GLuint kFrameBinding = 0, kSceneBinding = 1;
+constexpr int kWidth = 512;                  // rays a row
+constexpr int kMostRows = 512;               // rows a draw
+constexpr GLsizeiptr kFrameBytes = 11 * 16;  // of the frame block, which the intersectors read only zeroes from
 constexpr int kOrigins = 0, kDirections = 1; // texture units
 
 } // namespace
