@@ -27,7 +27,7 @@ Axis axisBetween(vec3 from, vec3 to) {
 }
 
 AxialRay axialRay(Axis axis, Ray ray) {
-    NearRay near = recentre(ray.origin - axis.middle, ray.direction);
+    NearRay near = recentre(ray.origin, axis.middle, ray.direction);
     float along = dot(near.origin, axis.along);
     float alongStep = dot(ray.direction, axis.along);
     return AxialRay(near, near.origin - along * axis.along, ray.direction - alongStep * axis.along, along, alongStep);

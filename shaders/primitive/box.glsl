@@ -37,16 +37,15 @@ vec3 largestAxis(vec3 v) {
 
 bool intersectBox(Box box, Ray ray, float side, inout float t) {
     if (side > 0.0) return false; // convex: what leaves it never comes back
-    vec3 toOrigin = ray.origin - box.center;
-    if (side == 0.0 && passesBy(toOrigin, ray.direction, length(box.halfSize))) return false;
-    NearRay near = recentre(toOrigin, ray.direction);
+    if (side == 0.0 && passesBy(ray.origin - box.center, ray.direction, length(box.halfSize))) return false;
+    NearRay near = recentre(ray.origin, box.center, ray.direction);
     vec3 enter, leave;
     boxSlabs(box, near.origin, ray.direction, enter, leave);
     return meetConvex(near, boxSpan(enter, leave), ray, side, t);
 }
 
 Surface surfaceBox(Box box, Ray ray, float t) {
-    NearRay near = recentre(ray.origin - box.center, ray.direction);
+    NearRay near = recentre(ray.origin, box.center, ray.direction);
     vec3 enter, leave;
     boxSlabs(box, near.origin, ray.direction, enter, leave);
     float end;

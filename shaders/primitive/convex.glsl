@@ -14,14 +14,6 @@ const vec2 kNever = vec2(1e30, -1e30);
 const vec2 kAlways = vec2(-1e30, 1e30);
 const float kParallel = 1e-20;
 
-// Whether the ray passes a sphere of that radius by, with the room that rounding from far away needs.
-bool passesBy(vec3 toOrigin, vec3 direction, float reach) {
-    float along = dot(toOrigin, direction);
-    vec3 closest = toOrigin - along * direction;
-    float room = reach + 1e-6 * abs(along);
-    return dot(closest, closest) > room * room * 1.00001;
-}
-
 vec2 commonSpan(vec2 a, vec2 b) {
     vec2 span = vec2(max(a.x, b.x), min(a.y, b.y));
     return span.x <= span.y ? span : kNever;

@@ -1,8 +1,10 @@
 // Disc: the points of a plane within `radius` of `center`.
 //
 // intersectDisc  t of the plane in (ray.tMin, t) where it lies within the radius
-// Error          t: 3 ulp of |origin - center| / |cos|; edge decisions wrong only within 2^-22 of that distance
-// Source         plane solved about the disc's own centre, so that the distance from the eye cancels (docs/numerics.md)
+// surfaceDisc    the point put back onto the plane; uv as in planar.glsl
+// Error          t: 1 ulp of the distance + 2^-22 radius / cosine; edge decisions wrong only within 2^-22 radius of the rim
+//                seen along the ray; surface point within 2^-22 of the distance from the centre off the plane
+// Source         ray re-centred on the disc (ray/split.glsl), then the plane through its centre
 // Limits         normal is unit; radius > 0; a ray in the plane misses: edge-on a disc has no area
 #include "primitive/planar.glsl"
 
@@ -17,13 +19,25 @@ Disc loadDisc(int at) {
     return Disc(a.xyz, a.w, sceneTexel(at + 1).xyz);
 }
 
+// Where the ray meets the disc's plane, relative to its centre.
+vec3 discOffset(Disc disc, Ray ray, out float t) {
+    NearRay near = recentre(ray.origin, disc.center, ray.direction);
+    float s = planeAhead(near.origin, disc.normal, ray.direction);
+    t = near.tHigh + (near.tLow + s);
+    return near.origin + s * ray.direction;
+}
+
 bool intersectDisc(Disc disc, Ray ray, float side, inout float t) {
-    if (side != 0.0) return false;
-    float hit = meetPlane(disc.center, disc.normal, ray);
-    vec3 offset = (ray.origin - disc.center) + hit * ray.direction;
+    if (side != 0.0 || passesBy(ray.origin - disc.center, ray.direction, disc.radius)) return false;
+    float hit;
+    vec3 offset = discOffset(disc, ray, hit);
     if (!(hit > ray.tMin && hit < t && dot(offset, offset) <= disc.radius * disc.radius)) return false;
     t = hit;
     return true;
 }
 
-Surface surfaceDisc(Disc disc, Ray ray, float t) { return surfacePlanar(disc.center, disc.normal, ray, t); }
+Surface surfaceDisc(Disc disc, Ray ray, float t) {
+    float again;
+    vec3 offset = discOffset(disc, ray, again);
+    return surfacePlanar(disc.center, disc.normal, offset * min(1.0, disc.radius * inversesqrt(max(dot(offset, offset), 1e-30))));
+}

@@ -1,16 +1,14 @@
 // What the flat shapes share: where a ray meets a plane, and the surface there.
 //
-// meetPlane      t of the plane through `anchor`, or -1 where the ray lies in it or has it behind
-// surfacePlanar  the point, put back onto the plane so that it is exact to its own coordinates; uv = in-plane coordinates
-//                in scene units relative to the anchor: for a normal +y they are x and z
-float meetPlane(vec3 anchor, vec3 normal, Ray ray) {
-    float facing = dot(normal, ray.direction);
-    if (facing == 0.0) return -1.0;
-    return -dot(normal, ray.origin - anchor) / facing;
+// planeAhead     t of the plane through the point that the origin is relative to; beyond all numbers where the ray lies in it
+// surfacePlanar  the point at `offset` from the anchor, put back onto the plane; uv = in-plane coordinates in scene units
+//                relative to the anchor: for a normal +y they are x and z
+float planeAhead(vec3 toOrigin, vec3 normal, vec3 direction) {
+    float facing = dot(normal, direction);
+    return facing == 0.0 ? -3e38 : -dot(normal, toOrigin) / facing;
 }
 
-Surface surfacePlanar(vec3 anchor, vec3 normal, Ray ray, float t) {
-    vec3 offset = (ray.origin - anchor) + t * ray.direction;
+Surface surfacePlanar(vec3 anchor, vec3 normal, vec3 offset) {
     offset -= dot(normal, offset) * normal;
     Surface surface = bareSurface(anchor + offset, normal, 0.0);
 #if IMAGES

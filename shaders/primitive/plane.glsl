@@ -15,10 +15,12 @@ Plane loadPlane(int at) { return Plane(sceneTexel(at).xyz, sceneTexel(at + 1).xy
 
 bool intersectPlane(Plane plane, Ray ray, float side, inout float t) {
     if (side != 0.0) return false;
-    float hit = meetPlane(plane.point, plane.normal, ray);
+    float hit = planeAhead(ray.origin - plane.point, plane.normal, ray.direction);
     if (!(hit > ray.tMin && hit < t)) return false;
     t = hit;
     return true;
 }
 
-Surface surfacePlane(Plane plane, Ray ray, float t) { return surfacePlanar(plane.point, plane.normal, ray, t); }
+Surface surfacePlane(Plane plane, Ray ray, float t) {
+    return surfacePlanar(plane.point, plane.normal, (ray.origin - plane.point) + t * ray.direction);
+}

@@ -27,13 +27,8 @@ float halfChord(Sphere sphere, NearRay near, vec3 direction, out vec3 foot, out 
 
 bool intersectSphere(Sphere sphere, Ray ray, float side, inout float t) {
     if (side > 0.0) return false; // convex: what leaves it never comes back
-    vec3 toOrigin = ray.origin - sphere.center;
-    float along = dot(toOrigin, ray.direction);
-    // Most spheres are passed by far: one dot product says so, with the room its own rounding needs.
-    vec3 closest = toOrigin - along * ray.direction;
-    float room = sphere.radius + 1e-6 * abs(along);
-    if (dot(closest, closest) > room * room * 1.00001) return false;
-    NearRay near = recentre(toOrigin, ray.direction);
+    if (passesBy(ray.origin - sphere.center, ray.direction, sphere.radius)) return false;
+    NearRay near = recentre(ray.origin, sphere.center, ray.direction);
     vec3 foot;
     float fromNear;
     float h = halfChord(sphere, near, ray.direction, foot, fromNear);
@@ -50,7 +45,7 @@ bool intersectSphere(Sphere sphere, Ray ray, float side, inout float t) {
 }
 
 Surface surfaceSphere(Sphere sphere, Ray ray, float t) {
-    NearRay near = recentre(ray.origin - sphere.center, ray.direction);
+    NearRay near = recentre(ray.origin, sphere.center, ray.direction);
     vec3 foot;
     float fromNear;
     float h = max(halfChord(sphere, near, ray.direction, foot, fromNear), 0.0);

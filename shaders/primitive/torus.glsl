@@ -121,24 +121,21 @@ bool firstCrossing(Torus torus, vec3 p, vec3 d, float from, float to, vec2 conca
 }
 
 bool intersectTorus(Torus torus, Ray ray, float side, inout float t) {
-    vec3 toOrigin = ray.origin - torus.center;
-    float along = dot(toOrigin, ray.direction);
-    vec3 closest = toOrigin - along * ray.direction;
-    float room = torus.major + torus.minor + 1e-6 * abs(along);
-    if (dot(closest, closest) > room * room * 1.00001) return false;
+    if (passesBy(ray.origin - torus.center, ray.direction, torus.major + torus.minor)) return false;
     mat3 axes = torusFrame(torus.axis);
+    NearRay near = recentre(ray.origin, torus.center, ray.direction);
+    vec3 p = axes * near.origin; // turned after the re-centring: turning a far origin would round it
     vec3 d = axes * ray.direction;
-    NearRay near = recentre(axes * toOrigin, d);
-    vec2 bounds = torusBounds(torus, near.origin, d);
+    vec2 bounds = torusBounds(torus, p, d);
     float sign = 1.0;
     float start = ((side == 0.0 ? ray.tMin : 0.0) - near.tHigh) - near.tLow;
     if (start > bounds.x) { // the ray starts within the bounds: on which side of the tube?
         bounds.x = start;
-        sign = side != 0.0 ? side : (tubeResidual(torus, near.origin + start * d, d).x < 0.0 ? -1.0 : 1.0);
+        sign = side != 0.0 ? side : (tubeResidual(torus, p + start * d, d).x < 0.0 ? -1.0 : 1.0);
     }
     if (!(bounds.x <= bounds.y)) return false;
     float s;
-    if (!firstCrossing(torus, near.origin, d, bounds.x, bounds.y, concaveStretch(torus, near.origin, d), sign, s)) return false;
+    if (!firstCrossing(torus, p, d, bounds.x, bounds.y, concaveStretch(torus, p, d), sign, s)) return false;
     float hit = near.tHigh + (near.tLow + s);
     if (!(hit < t)) return false;
     t = hit;
@@ -148,8 +145,8 @@ bool intersectTorus(Torus torus, Ray ray, float side, inout float t) {
 Surface surfaceTorus(Torus torus, Ray ray, float t) {
     mat3 axes = torusFrame(torus.axis);
     vec3 d = axes * ray.direction;
-    NearRay near = recentre(axes * (ray.origin - torus.center), d);
-    vec3 p = near.origin + ((t - near.tHigh) - near.tLow) * d;
+    NearRay near = recentre(ray.origin, torus.center, ray.direction);
+    vec3 p = axes * near.origin + ((t - near.tHigh) - near.tLow) * d;
     vec2 around = p.xy * inversesqrt(max(dot(p.xy, p.xy), 1e-30));
     vec3 normal = normalize(p - vec3(torus.major * around, 0.0));
     vec3 ring = vec3(torus.major * around, 0.0);

@@ -1,10 +1,14 @@
 // Ray parameters about a far point, exact to the shape's own size instead of to the distance from the eye.
 //
-// recentre  moves the ray's origin to its closest approach to the shape's centre. The products that cancel are made of
-//           12-bit halves and so are exact: |error of the new origin| <= 4 ulp of the closest distance + 4e-8 of the old
-//           origin's own rounding (3.4e-7 against 4.9e-4 units naively at 1e4 units).
-// Source    Dekker's splitting; figures in docs/numerics.md
-// Limits    some compilers fold d - dh back into d: the zero of the frame block, opaque to them, keeps it apart
+// recentre  moves the ray's origin to its closest approach to `center`. The difference of origin and center is kept with
+//           what its rounding loses, and the products that cancel are made of 12-bit halves and so are exact:
+//           |error of the new origin| <= 4 ulp of the closest distance + 2^-24 of the parts of 12 bits, 2^-12 |o - c|
+//           (3.4e-7 against 4.9e-4 units naively at 1e4 units)
+// passesBy  whether the ray's line passes a sphere of that radius about the origin by, with the room that rounding from far
+//           away needs; most shapes are dismissed by this alone
+// Source    Dekker's splitting and Knuth's exact difference; figures in docs/numerics.md
+// Limits    any direction but 0. Some compilers fold d - dh back into d, or (a - b) - a into -b: the zero of the frame
+//           block, opaque to them, keeps them apart
 struct NearRay {
     vec3 origin;    // closest approach, relative to the centre
     float tHigh;    // t of the new origin is tHigh + tLow; tHigh has 12 bits
@@ -13,13 +17,27 @@ struct NearRay {
 
 float high12(float x) { return uintBitsToFloat(floatBitsToUint(x) & 0xFFFFF000u); }
 vec3 high12(vec3 x) { return uintBitsToFloat(floatBitsToUint(x) & uvec3(0xFFFFF000u)); }
+vec3 opaque(vec3 x) { return uintBitsToFloat(floatBitsToUint(x) ^ frame.zero.xyz); }
 
-NearRay recentre(vec3 toOrigin, vec3 direction) {
+// What rounding took from difference = a - b.
+vec3 lostBy(vec3 difference, vec3 a, vec3 b) {
+    vec3 minusB = opaque(difference - a);
+    return (a - (difference - minusB)) - (b + minusB);
+}
+
+NearRay recentre(vec3 origin, vec3 center, vec3 direction) {
+    vec3 toOrigin = opaque(origin - center);
     float t = -dot(toOrigin, direction) / dot(direction, direction);
     float tHigh = high12(t);
     float tLow = t - tHigh;
     vec3 high = high12(direction);
-    vec3 low = uintBitsToFloat(floatBitsToUint(direction - high) ^ frame.zero.xyz);
-    vec3 closest = ((toOrigin + tHigh * high) + tHigh * low) + tLow * direction;
+    vec3 low = opaque(direction - high);
+    vec3 closest = ((toOrigin + tHigh * high) + tHigh * low) + (tLow * direction + lostBy(toOrigin, origin, center));
     return NearRay(closest, tHigh, tLow);
+}
+
+bool passesBy(vec3 toOrigin, vec3 direction, float reach) {
+    vec3 moment = cross(toOrigin, direction);
+    float room = reach + 1e-6 * (abs(toOrigin.x) + abs(toOrigin.y) + abs(toOrigin.z));
+    return dot(moment, moment) > room * room * dot(direction, direction) * 1.00001;
 }
