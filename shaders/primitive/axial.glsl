@@ -1,14 +1,16 @@
 // What the shapes about an axis share: the axis between two points, and a ray seen from it.
 //
 // axialRay  the ray re-centred on the middle of the axis and split into its parts along and across it
+// onAxis    the point of the world at an offset from the middle
 // around    unit direction from the axis to a point; any where the point lies on the axis
 // Error     parts across: 2^-23 of the distance from the middle of the axis
 // Limits    the two points differ
 #include "primitive/convex.glsl"
 
 struct Axis {
-    vec3 middle;
-    vec3 along; // unit
+    vec3 from;
+    vec3 toMiddle; // from there: far from the world's origin the middle itself may lie between two float32 numbers
+    vec3 along;    // unit
     float halfLength;
 };
 
@@ -21,13 +23,16 @@ struct AxialRay {
 };
 
 Axis axisBetween(vec3 from, vec3 to) {
-    vec3 reach = 0.5 * (to - from);
-    float halfLength = length(reach);
-    return Axis(from + reach, reach / halfLength, halfLength);
+    vec3 toMiddle = 0.5 * (to - from);
+    float halfLength = length(toMiddle);
+    return Axis(from, toMiddle, toMiddle / halfLength, halfLength);
 }
 
+vec3 onAxis(Axis axis, vec3 offset) { return axis.from + (axis.toMiddle + offset); }
+
 AxialRay axialRay(Axis axis, Ray ray) {
-    NearRay near = recentre(ray.origin, axis.middle, ray.direction);
+    NearRay near = recentre(ray.origin, axis.from, ray.direction);
+    near.origin -= axis.toMiddle;
     float along = dot(near.origin, axis.along);
     float alongStep = dot(ray.direction, axis.along);
     return AxialRay(near, near.origin - along * axis.along, ray.direction - alongStep * axis.along, along, alongStep);
@@ -49,7 +54,7 @@ vec3 around(Axis axis, vec3 across) {
 Surface surfaceEnd(Axis axis, float radius, float top, vec3 across) {
     across *= min(1.0, radius / max(length(across), 1e-30));
     vec3 normal = top * axis.along;
-    Surface surface = bareSurface(axis.middle + (axis.halfLength * normal + across), normal, 0.0);
+    Surface surface = bareSurface(onAxis(axis, axis.halfLength * normal + across), normal, 0.0);
 #if IMAGES
     surface.tangent = firstAcross(axis);
     surface.uv = 0.5 + 0.5 * vec2(dot(across, surface.tangent), dot(across, cross(surface.tangent, normal))) / radius;

@@ -32,7 +32,7 @@ vec2 capsuleSpan(Capsule capsule, AxialRay local, vec3 direction) {
 bool intersectCapsule(Capsule capsule, Ray ray, float side, inout float t) {
     if (side > 0.0) return false; // convex: what leaves it never comes back
     float reach = capsule.axis.halfLength + capsule.radius;
-    if (side == 0.0 && passesBy(ray.origin - capsule.axis.middle, ray.direction, reach)) return false;
+    if (side == 0.0 && passesBy(ray.origin - onAxis(capsule.axis, vec3(0.0)), ray.direction, reach)) return false;
     AxialRay local = axialRay(capsule.axis, ray);
     return meetConvex(local.near, capsuleSpan(capsule, local, ray.direction), ray, side, t);
 }
@@ -43,14 +43,14 @@ Surface surfaceCapsule(Capsule capsule, Ray ray, float t) {
     float end;
     float s = spanEnd(local.near, capsuleSpan(capsule, local, ray.direction), t, end);
     float along = local.along + s * local.alongStep;
-    float onAxis = clamp(along, -axis.halfLength, axis.halfLength);
+    float core = clamp(along, -axis.halfLength, axis.halfLength);
     vec3 across = local.across + s * local.acrossStep;
-    vec3 normal = normalize(across + (along - onAxis) * axis.along);
-    Surface surface = bareSurface(axis.middle + (onAxis * axis.along + capsule.radius * normal), normal, 1.0 / capsule.radius);
+    vec3 normal = normalize(across + (along - core) * axis.along);
+    Surface surface = bareSurface(onAxis(axis, core * axis.along + capsule.radius * normal), normal, 1.0 / capsule.radius);
 #if IMAGES
     float perUnit = 1.0 / (3.14159265358979 * capsule.radius + 2.0 * axis.halfLength);
     float lean = asin(clamp(dot(normal, axis.along), -1.0, 1.0));
-    wrapAround(surface, axis, around(axis, across), capsule.radius, 0.5 - (onAxis + capsule.radius * lean) * perUnit, perUnit);
+    wrapAround(surface, axis, around(axis, across), capsule.radius, 0.5 - (core + capsule.radius * lean) * perUnit, perUnit);
 #endif
     return surface;
 }

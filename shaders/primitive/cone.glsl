@@ -6,10 +6,11 @@
 // Error          t: 1 ulp of the distance + 2^-22 size / cosine; edge decisions wrong only within 2^-22 size of
 //                tangency; surface point within 2^-22 size of the surface; size: radius of the bounding sphere
 //                (measured from 1e4 units away, tests/shader/outputs_test.cpp)
-// Source         ray re-centred on the middle (ray/split.glsl). With w below the apex, x across the axis and the half angle's
-//                sine S and cosine C the side is C²x² - S²w² = 0. Its discriminant is C²((S g)² - (C m)²), where m and g are
-//                the moments of the ray about the apex along and across the axis: nothing cancels but what tangency is
-//                made of. The slab between base and apex keeps the right one of the two nappes
+// Source         ray re-centred on the middle (ray/split.glsl). With w below the apex, x across the axis (x1 along the ray's
+//                own way across, x2 beside it) and the half angle's sine S and cosine C the side is C²x² - S²w² = 0, along
+//                the ray a s² + 2 b s + c. Its discriminant is C²(S²h² - a x2²) with h the ray's moment about the apex in
+//                the plane of the axis and x1: nothing cancels but what tangency is made of, down to rays along the side
+//                itself. The slab between base and apex keeps the right one of the two nappes
 // Limits         radius > 0; base and apex differ; the normal at the apex is that of the side nearest to the ray
 #include "primitive/axial.glsl"
 
@@ -26,22 +27,30 @@ Cone loadCone(int at) {
 // Sine and cosine of the angle between axis and side.
 vec2 coneAngle(Cone cone) { return normalize(vec2(cone.radius, 2.0 * cone.axis.halfLength)); }
 
-// Within the side, without its ends: of the nappe about the base where the ray meets both.
+// Within the side, without its ends: of the nappe about the base where the ray meets both. Solved about the ray's closest
+// approach to the apex: near the apex the squares of farther points would drown it.
 vec2 coneSide(Cone cone, AxialRay local) {
     vec2 angle = coneAngle(cone);
-    float below = cone.axis.halfLength - local.along;
+    float fromApex = local.along - cone.axis.halfLength;
+    float nearest = -(dot(local.across, local.acrossStep) + fromApex * local.alongStep) /
+                    (dot(local.acrossStep, local.acrossStep) + local.alongStep * local.alongStep);
+    vec3 across = local.across + nearest * local.acrossStep;
+    float below = -(fromApex + nearest * local.alongStep);
     float belowStep = -local.alongStep;
-    float away = angle.y * length(local.across);
-    float awayStep = angle.y * length(local.acrossStep);
-    float g = angle.x * length(local.across * belowStep - local.acrossStep * below);
-    float m = angle.y * length(cross(local.across, local.acrossStep));
-    float a = (awayStep - angle.x * abs(belowStep)) * (awayStep + angle.x * abs(belowStep));
-    float b = angle.y * angle.y * dot(local.across, local.acrossStep) - angle.x * angle.x * below * belowStep;
+    float step = length(local.acrossStep);
+    vec3 way = step > kParallel ? local.acrossStep / step : vec3(0.0);
+    float ahead = dot(across, way);               // x1
+    float beside = length(across - ahead * way);  // x2
+    float h = angle.x * (ahead * belowStep - step * below);
+    float away = angle.y * length(across);
+    float a = (angle.y * step - angle.x * abs(belowStep)) * (angle.y * step + angle.x * abs(belowStep));
+    float b = angle.y * angle.y * ahead * step - angle.x * angle.x * below * belowStep;
     float c = (away - angle.x * below) * (away + angle.x * below);
-    float discriminant = angle.y * angle.y * (g - m) * (g + m);
-    if (discriminant < 0.0 && a > 0.0) return kNever;
+    float side = sqrt(abs(a)) * beside;
+    float discriminant = angle.y * angle.y * (a > 0.0 ? (abs(h) - side) * (abs(h) + side) : h * h + side * side);
+    if (discriminant < 0.0) return kNever;
     if (abs(a) < kParallel) a = a < 0.0 ? -kParallel : kParallel; // along a side: the other root is far off
-    vec2 roots = rootsOf(a, b, c, max(discriminant, 0.0)); // a steep ray always meets the side, at the apex at the latest
+    vec2 roots = nearest + rootsOf(a, b, c, discriminant); // a steep ray always meets the side, at the apex at the latest
     if (a > 0.0) return roots;
     return belowStep > 0.0 ? vec2(roots.y, kAlways.y) : vec2(kAlways.x, roots.x);
 }
@@ -49,7 +58,7 @@ vec2 coneSide(Cone cone, AxialRay local) {
 bool intersectCone(Cone cone, Ray ray, float side, inout float t) {
     if (side > 0.0) return false; // convex: what leaves it never comes back
     float reach = length(vec2(cone.axis.halfLength, cone.radius));
-    if (side == 0.0 && passesBy(ray.origin - cone.axis.middle, ray.direction, reach)) return false;
+    if (side == 0.0 && passesBy(ray.origin - onAxis(cone.axis, vec3(0.0)), ray.direction, reach)) return false;
     AxialRay local = axialRay(cone.axis, ray);
     vec2 span = commonSpan(coneSide(cone, local), slabSpan(local.along, local.alongStep, cone.axis.halfLength));
     return meetConvex(local.near, span, ray, side, t);
@@ -72,7 +81,7 @@ Surface surfaceCone(Cone cone, Ray ray, float t) {
     float down = clamp(angle.x * dot(across, outward) + angle.y * below, 0.0, slant); // from the apex along the side
     vec3 offset = (axis.halfLength - angle.y * down) * axis.along + angle.x * down * outward;
     float away = max(angle.x * down, 1e-6 * cone.radius);
-    Surface surface = bareSurface(axis.middle + offset, angle.y * outward + angle.x * axis.along, angle.y / away);
+    Surface surface = bareSurface(onAxis(axis, offset), angle.y * outward + angle.x * axis.along, angle.y / away);
 #if IMAGES
     wrapAround(surface, axis, outward, away, down / slant, 1.0 / slant);
 #endif

@@ -24,7 +24,7 @@ Cylinder loadCylinder(int at) {
 bool intersectCylinder(Cylinder cylinder, Ray ray, float side, inout float t) {
     if (side > 0.0) return false; // convex: what leaves it never comes back
     float reach = length(vec2(cylinder.axis.halfLength, cylinder.radius));
-    if (side == 0.0 && passesBy(ray.origin - cylinder.axis.middle, ray.direction, reach)) return false;
+    if (side == 0.0 && passesBy(ray.origin - onAxis(cylinder.axis, vec3(0.0)), ray.direction, reach)) return false;
     AxialRay local = axialRay(cylinder.axis, ray);
     vec2 span = commonSpan(roundSpan(local.across, local.acrossStep, cylinder.radius),
                            slabSpan(local.along, local.alongStep, cylinder.axis.halfLength));
@@ -44,7 +44,7 @@ Surface surfaceCylinder(Cylinder cylinder, Ray ray, float t) {
     vec3 normal = around(axis, across);
     float along = clamp(local.along + s * local.alongStep, -axis.halfLength, axis.halfLength);
     vec3 offset = along * axis.along + cylinder.radius * normal;
-    Surface surface = bareSurface(axis.middle + offset, normal, 1.0 / cylinder.radius);
+    Surface surface = bareSurface(onAxis(axis, offset), normal, 1.0 / cylinder.radius);
 #if IMAGES
     float perUnit = 0.5 / axis.halfLength;
     wrapAround(surface, axis, normal, cylinder.radius, 0.5 - along * perUnit, perUnit);

@@ -1,0 +1,120 @@
+#include "tests/oracle/judge.h"
+
+#include <cmath>
+#include <thread>
+
+namespace gnomon::oracle {
+namespace {
+
+double ulp(double x) { return std::ldexp(1.0, std::ilogb(x) - 23); }
+
+/// Somewhere between where the ray should stop and where it does it is off the surface.
+bool leavesSurface(const Body<double>& body, const Line<double>& line, double wanted, double got, double slack) {
+    const int steps = 32;
+    for (int i = 0; i <= steps; ++i)
+        if (std::abs(body.distance(line.at(wanted + (got - wanted) * i / steps))) > slack) return true;
+    return false;
+}
+
+} // namespace
+
+Bounds boundsOf(ShapeKind kind) {
+    switch (kind) {
+    case ShapeKind::Sphere:
+    case ShapeKind::Torus: return {0x1p-22, 1.5, 2, 2};
+    case ShapeKind::Box: return {0x1p-23, 1.5, 1, 1};
+    case ShapeKind::Cylinder:
+    case ShapeKind::Capsule: return {0x1p-22, 1.5, 2, 2};
+    case ShapeKind::Cone: return {0x1p-21, 1.5, 2, 2};
+    case ShapeKind::Disc: return {0x1p-22, 1.5, 2, 1};
+    case ShapeKind::Plane: return {0x1p-22, 4, 2, 1};
+    case ShapeKind::Triangle: return {0x1p-22, 6, 2, 1};
+    }
+    return {};
+}
+
+namespace {
+
+Scale scaleOf(const Body<double>& body, const Line<double>& line, const ExactHit<double>& exact,
+              const Vec3<double>& p) {
+    const double size = body.size(), away = std::abs(line.start) + length(line.p) + size;
+    const bool sizeless = body.kind() == ShapeKind::Plane, sheared = body.kind() == ShapeKind::Triangle;
+    Scale scale;
+    scale.bend = body.bend(exact.point);
+    scale.band = sizeless || sheared ? away : size;
+    scale.distance = std::max({double(exact.t), 3 * size, sizeless ? away : 0});
+    if (sheared) scale.distance *= size / scale.bend;
+    const Vec3<long double> middle = body.middle();
+    const double written = double(std::max({std::abs(middle.x), std::abs(middle.y), std::abs(middle.z)}));
+    scale.rounding = 0x1p-23 * (written + size + (sizeless ? length(p) : 0));
+    return scale;
+}
+
+} // namespace
+
+Verdict judge(const Body<double>& body, const BatchRay& ray, const BatchHit& answer) {
+    const Line<double> line = lineOf(body, ray.origin, ray.direction);
+    const ExactHit<double> exact = exactHit(body, line);
+    const Vec3<double> p(Vec3<long double>(answer.point) - body.middle());
+    const Scale scale = scaleOf(body, line, exact, p);
+    const bool got = answer.object >= 0;
+    Verdict verdict;
+    verdict.decided = exact.tangency > boundsOf(body.kind()).band * scale.band;
+    verdict.hit = exact.hit && got;
+    if (exact.hit != got) verdict.margin = exact.tangency / scale.band;
+    verdict.missed = verdict.decided && exact.hit && !got;
+    verdict.invented = verdict.decided && !exact.hit && got;
+    if (!verdict.hit) return verdict;
+    const double s = line.local(answer.t), slack = 4 * ulp(scale.distance);
+    verdict.elsewhere = verdict.decided && body.closed() && leavesSurface(body, line, exact.s, s, slack);
+    verdict.t = std::abs(double(Wide<double>(answer.t) - exact.t)) / ulp(scale.distance);
+    verdict.ray = std::abs(body.distance(line.at(s))) / ulp(scale.distance);
+    verdict.point = std::abs(body.distance(p)) / scale.rounding;
+    if (!body.closed() || body.toEdge(p) > 1e-5 * body.size() + 4 * scale.rounding)
+        verdict.normal = length(Vec3<double>(answer.normal) - body.normal(p)) * scale.bend / scale.rounding;
+    return verdict;
+}
+
+Spread spreadOf(std::vector<double> values) {
+    if (values.empty()) return {};
+    std::sort(values.begin(), values.end());
+    const auto at = [&](double part) { return values[std::size_t(part * double(values.size() - 1))]; };
+    return {at(0.5), at(0.999), values.back()};
+}
+
+Tally judgeAll(const Shape& shape, const std::vector<BatchRay>& rays, const std::vector<BatchHit>& answers) {
+    const Body<double> body(shape);
+    std::vector<Verdict> verdicts(rays.size());
+    const std::size_t workers = std::max(1u, std::thread::hardware_concurrency());
+    std::vector<std::thread> threads;
+    for (std::size_t worker = 0; worker < workers; ++worker)
+        threads.emplace_back([&, worker] {
+            for (std::size_t i = worker; i < rays.size(); i += workers) verdicts[i] = judge(body, rays[i], answers[i]);
+        });
+    for (std::thread& thread : threads) thread.join();
+    Tally tally;
+    std::vector<double> t, ray, point, normal;
+    for (std::size_t i = 0; i < verdicts.size(); ++i) {
+        const Verdict& verdict = verdicts[i];
+        if (verdict.wrong()) tally.wrongRays.push_back(i);
+        ++tally.rays;
+        tally.decided += verdict.decided;
+        tally.hits += verdict.hit;
+        tally.missed += verdict.missed;
+        tally.invented += verdict.invented;
+        tally.elsewhere += verdict.elsewhere;
+        tally.worstMargin = std::max(tally.worstMargin, verdict.margin);
+        if (!verdict.hit || !verdict.decided) continue;
+        t.push_back(verdict.t);
+        ray.push_back(verdict.ray);
+        point.push_back(verdict.point);
+        normal.push_back(verdict.normal);
+    }
+    tally.t = spreadOf(std::move(t));
+    tally.ray = spreadOf(std::move(ray));
+    tally.point = spreadOf(std::move(point));
+    tally.normal = spreadOf(std::move(normal));
+    return tally;
+}
+
+} // namespace gnomon::oracle

@@ -1,0 +1,65 @@
+/// Holds the GPU's answer to a ray against the exact one.
+#pragma once
+
+#include "tests/oracle/exact_hit.h"
+#include "tracer/lab/ray_batch.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace gnomon::oracle {
+
+/// What the header of a shape's file states.
+struct Bounds {
+    double band;   ///< no wrong decision farther than this from tangency, in scales (see Scale)
+    double ray;    ///< of o + t d off the surface, in ulp of the distance
+    double point;  ///< of the surface point off the surface, in roundings
+    double normal; ///< of the normal from the exact one at the surface point: the turn of so many roundings' shift
+};
+Bounds boundsOf(ShapeKind);
+
+/// What float32 can be held to for one ray. A rounding is 2^-23 of the body's size and of the coordinates that its
+/// points are written in. A plane has no size, and a triangle's vertices are sheared as seen from the eye: they scale
+/// with the distance; a sliver's plane turns by a rounding over its height.
+struct Scale {
+    double band;     ///< 1 scale
+    double distance; ///< whose ulp counts: of the hit, of three sizes at least
+    double rounding;
+    double bend; ///< smallest radius of curvature; of a flat body its smallest height
+};
+
+/// One answer, judged. Errors are 0 where either side misses.
+struct Verdict {
+    bool decided = false; ///< exactly far enough from tangency that float32 has to be right
+    bool hit = false;     ///< by both
+    bool missed = false, invented = false;
+    bool elsewhere = false; ///< a hit, but neither on the first sheet nor on the way along it
+    double margin = 0; ///< of a decision unlike the exact one, in the band or not: how far from tangency, in scales
+    double t = 0;      ///< |t - exact|, ulp
+    double ray = 0;    ///< |distance of o + t d|, ulp
+    double point = 0;  ///< |distance of the surface point|, roundings
+    double normal = 0; ///< |normal - exact normal at the surface point|, roundings over the bend
+
+    bool wrong() const { return missed || invented || elsewhere; }
+};
+Verdict judge(const Body<double>&, const BatchRay&, const BatchHit&);
+
+/// Median, 99.9 % and largest of some values.
+struct Spread {
+    double median = 0, most = 0, worst = 0;
+};
+Spread spreadOf(std::vector<double> values);
+
+/// Many verdicts.
+struct Tally {
+    std::int64_t rays = 0, decided = 0, hits = 0, missed = 0, invented = 0, elsewhere = 0;
+    Spread t, ray, point, normal;
+    double worstMargin = 0;
+    std::vector<std::size_t> wrongRays;
+
+    std::int64_t wrong() const { return missed + invented + elsewhere; }
+};
+/// Judges on all cores.
+Tally judgeAll(const Shape&, const std::vector<BatchRay>&, const std::vector<BatchHit>&);
+
+} // namespace gnomon::oracle
