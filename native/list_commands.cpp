@@ -1,6 +1,7 @@
 /// gnomon scenes, gnomon settings and gnomon info: what there is.
 #include "native/commands.h"
 #include "native/context.h"
+#include "tracer/lab/canary.h"
 
 #include <nlohmann/json.hpp>
 
@@ -48,7 +49,7 @@ int listSettings(bool asJson) {
     return kDone;
 }
 
-/// What GL says of itself through this kind of context, or why there is none.
+/// What GL says of itself through this kind of context and how exact its numbers are, or why there is none.
 Json describe(ContextKind kind) {
     Problems problems;
     const auto context = makeContext(kind, problems);
@@ -64,7 +65,8 @@ Json describe(ContextKind kind) {
             {"float_targets", info.floatTargets},
             {"parallel_compile", info.parallelCompile},
             {"max_texture_size", info.maxTextureSize},
-            {"max_uniform_block_size", info.maxUniformBlockSize}};
+            {"max_uniform_block_size", info.maxUniformBlockSize},
+            {"numerics", Json::parse(toJson(runCanary()))}};
 }
 
 void printContext(const std::string& name, const Json& context) {
@@ -75,6 +77,16 @@ void printContext(const std::string& name, const Json& context) {
     for (const char* key : {"renderer", "version", "shading_language"})
         std::printf("%-8s %s\n", key == std::string("renderer") ? name.c_str() : "",
                     context[key].get<std::string>().c_str());
+    std::printf("%-8s %s\n", "", context["numerics"]["summary"].get<std::string>().c_str());
+}
+
+/// Loud enough to be seen where the lists go into a file.
+void warnOfNumerics(const Json& contexts) {
+    for (const auto& [name, context] : contexts.items()) {
+        const Json numerics = context.value("numerics", Json::object());
+        if (!numerics.value("measured", false) || numerics.value("holds", false)) continue;
+        std::fprintf(stderr, "gnomon: warning: %s: %s\n", name.c_str(), numerics["summary"].get<std::string>().c_str());
+    }
 }
 
 int info(bool asJson) {
@@ -83,6 +95,7 @@ int info(bool asJson) {
     Json report{{"version", GNOMON_VERSION}, {"assets", assets ? assets->root().string() : ""}};
     for (auto kind : {ContextKind::OsMesa, ContextKind::Egl, ContextKind::Window})
         report["contexts"][std::string(nameOf(kind))] = describe(kind);
+    warnOfNumerics(report["contexts"]);
     if (asJson) return printJson(report);
     std::printf("gnomon   " GNOMON_VERSION "\nassets   %s\n",
                 assets ? assets->root().c_str() : toString(problems).c_str());

@@ -5,6 +5,8 @@
 // Viewer.
 #include "tracer/gl/gl.h"
 #include "tracer/image.h"
+#include "tracer/lab/canary.h"
+#include "tracer/lab/ray_batch.h"
 #include "tracer/render/settings.h"
 #include "tracer/render/viewer.h"
 #include "tracer/scene/read_scene.h"
@@ -13,10 +15,12 @@
 #include <emscripten/html5.h>
 
 #include <algorithm>
+#include <cstring>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 // clang-format off
 EM_JS(void, reportToPage, (const char* text), { Module['report'](UTF8ToString(text)); });
@@ -29,11 +33,12 @@ using namespace gnomon;
 struct Host {
     EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = 0;
     std::unique_ptr<Viewer> viewer;
-    Problems problems;    ///< of frames, until the page takes them
-    std::string answer;   ///< the text handed out last
-    Image picture;        ///< the pixels handed out last
-    FloatImage output;    ///< the output handed out last
-    int readback[4] = {}; ///< width, height, channels, address: how the page finds them
+    Problems problems;          ///< of frames, until the page takes them
+    std::string answer;         ///< the text handed out last
+    Image picture;              ///< the pixels handed out last
+    FloatImage output;          ///< the output handed out last
+    std::vector<BatchHit> hits; ///< of the rays traced last
+    int readback[4] = {};       ///< width, height, channels, address: how the page finds them
 };
 Host host;
 
@@ -75,6 +80,26 @@ const int* hand(int width, int height, int channels, const void* pixels) {
     host.readback[2] = channels;
     host.readback[3] = int(reinterpret_cast<std::uintptr_t>(pixels));
     return host.readback;
+}
+
+constexpr int kRayFloats = 8; ///< a ray: origin, side, direction, tMin; its answer: object, t, point, normal
+static_assert(sizeof(BatchRay) == kRayFloats * sizeof(float));
+
+std::vector<BatchRay> raysFrom(const float* numbers, int count) {
+    std::vector<BatchRay> rays(std::size_t(count), BatchRay{});
+    std::memcpy(rays.data(), numbers, rays.size() * sizeof(BatchRay));
+    return rays;
+}
+
+/// Float32 pictures are an extension here, and the library's advice is the desktop's.
+bool hasFloatTargets(Problems& problems) {
+    if (gl::info().floatTargets) return true;
+    problems.push_back({{},
+                        0,
+                        {},
+                        "this browser's WebGL cannot draw float32 pictures (EXT_color_buffer_float is missing)",
+                        "use another browser or graphics driver"});
+    return false;
 }
 
 } // namespace
@@ -199,6 +224,41 @@ EMSCRIPTEN_KEEPALIVE const int* readPicture() {
 EMSCRIPTEN_KEEPALIVE const int* readOutput() {
     host.output = host.viewer->renderer().readOutput(host.viewer->view(), host.problems);
     return hand(host.output.width, host.output.height, host.output.channels, host.output.pixels.data());
+}
+
+/// How exact this GL's numbers are, measured now: JSON, see toJson(Canary).
+EMSCRIPTEN_KEEPALIVE const char* measureNumerics() {
+    Problems problems;
+    Canary canary;
+    if (hasFloatTargets(problems))
+        canary = runCanary();
+    else
+        canary.problem = toString(problems);
+    return give(toJson(canary));
+}
+
+/// Traces `count` rays of kRayFloats numbers each through the scene of the text, beside the viewer's own.
+EMSCRIPTEN_KEEPALIVE const char* traceRays(const char* text, const float* numbers, int count) {
+    Problems problems;
+    host.hits.clear();
+    const std::optional<Scene> scene = readScene(text, "traceRays", problems);
+    if (scene && hasFloatTargets(problems)) {
+        RayBatch batch(*scene, problems);
+        if (batch.valid()) host.hits = batch.trace(raysFrom(numbers, count));
+        gl::check("tracing rays", problems);
+    }
+    return give(toString(problems));
+}
+
+/// The answers to the rays traced last: kRayFloats, count, 1, address of floats.
+EMSCRIPTEN_KEEPALIVE const int* tracedRays() {
+    FloatImage& answers = host.output;
+    answers = {kRayFloats, int(host.hits.size()), 1, {}};
+    for (const BatchHit& hit : host.hits)
+        for (const float number : {float(hit.object), hit.t, hit.point.x, hit.point.y, hit.point.z, hit.normal.x,
+                                   hit.normal.y, hit.normal.z})
+            answers.pixels.push_back(number);
+    return hand(answers.width, answers.height, answers.channels, answers.pixels.data());
 }
 
 EMSCRIPTEN_KEEPALIVE void contextLost() { host.viewer->contextLost(); }

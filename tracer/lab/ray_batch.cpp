@@ -95,13 +95,13 @@ struct RayBatch::Impl {
     }
 };
 
-RayBatch::RayBatch(const Scene& scene, Problems& problems) {
+RayBatch::RayBatch(const Scene& scene, Problems& problems, std::span<const ShaderFile> overrides) {
     const gl::Info info = gl::info();
     Settings settings;
     settings.data = DataPath::Block;
     const Features features = featuresOf(scene, settings, 0, info.essl300);
     Problems faults;
-    const ShaderSource source = buildShader("pass/intersect.frag", features, faults);
+    const ShaderSource source = buildShader("pass/intersect.frag", features, faults, overrides);
     auto impl = std::make_unique<Impl>();
     impl->program = gl::Program(buildCanvas(features, faults).text, source.text);
     if (!impl->program.linked()) {

@@ -4,6 +4,7 @@
 
 #include "tracer/problem.h"
 #include "tracer/scene/scene.h"
+#include "tracer/shader/library.h"
 
 #include <glm/glm.hpp>
 
@@ -29,8 +30,8 @@ struct BatchHit {
 class RayBatch {
   public:
     /// Compiles the intersectors of the scene's shapes in the current context. valid() is false, with problems, where
-    /// that fails or the context cannot draw float32.
-    RayBatch(const Scene&, Problems&);
+    /// that fails or the context cannot draw float32. `overrides` take the place of library files of the same name.
+    RayBatch(const Scene&, Problems&, std::span<const ShaderFile> overrides = {});
     ~RayBatch();
     bool valid() const { return impl_ != nullptr; }
 

@@ -23,7 +23,7 @@ export function makeApi() {
     sharp: (ms) => void (api.sharpFrameMs = ms),
 
     /** @param page what connect() in main.js makes */
-    open({ tracer, session, set, load }) {
+    open({ tracer, session, set, load, numerics }) {
       const check = (problems) => {
         if (problems) throw new Error(problems);
       };
@@ -80,6 +80,18 @@ export function makeApi() {
               await new Promise((resolve) => setTimeout(resolve));
             }
             return { frames, medianMs: median(times), minMs: Math.min(...times), maxMs: Math.max(...times) };
+          }),
+
+        numerics,
+
+        traceRays: (scene, rays) =>
+          session.withContext(() => {
+            const numbers = Float32Array.from(rays);
+            if (numbers.length % 8) throw new Error(`${numbers.length} numbers are no rays: each has 8, see docs/page.md`);
+            const text = typeof scene === 'string' ? scene : JSON.stringify(scene);
+            const { problems, answers } = tracer.traceRays(text, numbers);
+            check(problems);
+            return answers;
           }),
 
         stats: () => ({ compileMs: tracer.compileMs(), sourceBytes: tracer.sourceBytes(), renderer: session.renderer() }),

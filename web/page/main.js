@@ -11,9 +11,10 @@ import { makeApi } from './api.js';
 import { makeHelp } from './help.js';
 import { makePanel } from './panel.js';
 import { messages } from './messages.js';
+import { numericsOf, whenCalm } from './numerics.js';
 import { progressBar } from './progress.js';
 import { sceneChooser } from './scenes.js';
-import { showReadout } from './readout.js';
+import { showNumerics, showReadout } from './readout.js';
 import { startSession } from './session.js';
 import { startTracer } from './tracer.js';
 
@@ -51,6 +52,7 @@ async function start() {
   listen(page);
   watch(page);
   api.open(page);
+  whenCalm(page, page.numerics);
 
   // The panel comes after the first picture: nobody waits for it.
   await page.session.settled().catch(() => {});
@@ -159,7 +161,12 @@ function connect(tracer, sceneIndex) {
     if (startsPaused && !asks('pause')) say.note('Paused, as your system asks for little motion');
   };
 
-  return { tracer, session, address, set, load, loadFirst };
+  const numerics = numericsOf({ tracer, session }, (found) => {
+    showNumerics(found);
+    if (found.measured && !found.holds) say.problem(found.summary);
+  });
+
+  return { tracer, session, address, set, load, loadFirst, numerics };
 }
 
 /** A change by hand: what is wrong with it stands on the page. */
@@ -172,7 +179,8 @@ function change({ set }, key, text) {
 /** Keys, pointers, stick and buttons. */
 function listen(page) {
   const { tracer, session, address } = page;
-  const help = makeHelp($('help'), tracer.table(), () => `Drawn by ${session.renderer()}`);
+  const about = () => [`Drawn by ${session.renderer()}`, $('numerics').title].filter(Boolean).join('; ');
+  const help = makeHelp($('help'), tracer.table(), about);
   const own = {
     H: help,
     F: toggleFullscreen,

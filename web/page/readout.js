@@ -1,5 +1,7 @@
 // The read-out: frames per second and the settings that matter most, in the page's corner and in its title.
 
+const numericsText = ({ measured, holds }) => (!measured ? 'not measured' : holds ? 'exact' : 'NOT exact');
+
 const rateText = (fps) => (fps <= 0 ? '–' : fps < 9.95 ? fps.toFixed(1) : String(Math.round(fps)));
 
 /** Shows how things stand; `settings` is a Map of key → text, `scale` the picture's resolution over the canvas'. */
@@ -10,4 +12,12 @@ export function showReadout({ title, fps, settings, scale, width, height }) {
   document.title = title;
   document.getElementById('fps').textContent = rateText(fps);
   document.getElementById('state').textContent = parts.map((part) => ` · ${part}`).join('');
+}
+
+/** Adds how exact the numbers are; the details lie under the pointer. */
+export function showNumerics(numerics) {
+  const element = document.getElementById('numerics');
+  element.textContent = ` · numerics ${numericsText(numerics)}`;
+  element.title = numerics.summary;
+  element.classList.toggle('wrong', numerics.measured && !numerics.holds);
 }

@@ -144,6 +144,9 @@ export function startSession({ tracer, canvas, task, emit }) {
 
   const whenAlive = (work) => (alive() ? work() : void later.push(work));
 
+  /** A promise of what `work` answers, which waits for a context where there is none. */
+  const withContext = (work) => new Promise((resolve) => whenAlive(resolve)).then(work);
+
   canvas.addEventListener('webglcontextlost', (event) => {
     event.preventDefault(); // without this it never comes back
     lost = true;
@@ -174,10 +177,15 @@ export function startSession({ tracer, canvas, task, emit }) {
     get frames() {
       return frames;
     },
+    /** Nothing loads or compiles, and no script has the pictures to itself. */
+    get resting() {
+      return alive() && suspended === 0 && imagesAwaited === 0 && tracer.state() === ProgramState.ready;
+    },
     load,
     settled,
     alone,
     whenAlive,
+    withContext,
     renderer,
   };
 }

@@ -44,13 +44,13 @@ function wrap(module) {
     return answer;
   };
 
-  const withBytes = (name, string, bytes) => {
+  const withBytes = (name, string, bytes, count = bytes.length) => {
     const size = module.lengthBytesUTF8(string) + 1;
     const nameAt = module._malloc(size);
     const bytesAt = module._malloc(bytes.length);
     module.stringToUTF8(string, nameAt, size);
     module.HEAPU8.set(bytes, bytesAt);
-    const answer = module[`_${name}`](nameAt, bytesAt, bytes.length);
+    const answer = module[`_${name}`](nameAt, bytesAt, count);
     module._free(bytesAt);
     module._free(nameAt);
     return answer;
@@ -97,6 +97,14 @@ function wrap(module) {
     drawAndWait: () => module._drawAndWait(),
     readPicture: () => readback(module._readPicture(), Uint8ClampedArray),
     readOutput: () => readback(module._readOutput(), Float32Array),
+
+    numerics: () => JSON.parse(text(module._measureNumerics())),
+    /** Answers { problems, answers }: eight numbers a ray, in and out. */
+    traceRays(json, rays) {
+      const bytes = new Uint8Array(rays.buffer, rays.byteOffset, rays.byteLength);
+      const problems = text(withBytes('traceRays', json, bytes, rays.length / 8));
+      return { problems, answers: readback(module._tracedRays(), Float32Array).data };
+    },
 
     contextLost: () => module._contextLost(),
     contextRestored: () => module._contextRestored(),
