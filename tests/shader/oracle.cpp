@@ -204,6 +204,7 @@ Candidate meet(const Shape& s, Vec o, Vec d) {
         const Vec a = point(s, 0);
         return flat(s, o, d, a, glm::normalize(glm::cross(point(s, 1) - a, point(s, 2) - a)));
     }
+    case ShapeKind::Globe: break; // what a sphere may be drawn as, never a scene's own: tests/shader/globe_test.cpp
     }
     return {};
 }

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 namespace gnomon {
@@ -23,8 +24,13 @@ Shape cylinder(glm::dvec3 from, glm::dvec3 to) {
 bool accepts(const Shape& shape) { return shapeRow(shape.kind).check(shape)[0].empty(); }
 
 TEST(ShapeTable, IsInTheOrderOfItsKinds) {
-    ASSERT_EQ(shapeTable().size(), std::size_t(kShapeKinds));
     for (std::size_t i = 0; i < shapeTable().size(); ++i) EXPECT_EQ(std::size_t(shapeTable()[i].kind), i);
+    for (int i = 0; i < kShapeKinds; ++i) EXPECT_EQ(int(shapeRow(ShapeKind(i)).kind), i);
+}
+
+TEST(ShapeTable, OffersEveryKindButTheGlobe) {
+    EXPECT_EQ(shapeTable().size(), std::size_t(kShapeKinds) - 1);
+    for (const ShapeRow& row : shapeTable()) EXPECT_NE(row.kind, ShapeKind::Globe);
 }
 
 TEST(ShapeTable, NamesEachShapeOnce) {
@@ -87,6 +93,15 @@ TEST(Shape, MovesABoxButNotItsSize) {
 TEST(Shape, IsStoodForByItsFirstPoint) {
     EXPECT_EQ(referencePoint(torus(2, 0.5)), glm::dvec3(1, 2, 3));
     EXPECT_EQ(referencePoint(triangle({4, 5, 6}, {1, 0, 0}, {0, 1, 0})), glm::dvec3(4, 5, 6));
+}
+
+TEST(Shape, HasTheSizeOfItsLongestPart) {
+    EXPECT_EQ(sizeOf(torus(2, 0.5)), 2);
+    EXPECT_EQ(sizeOf(cylinder({1, 2, 3}, {1, 2, 7})), 4);
+    EXPECT_EQ(sizeOf(cylinder({0, 0, 0}, {0, 0.1, 0})), 0.5) << "its radius";
+    EXPECT_EQ(sizeOf(triangle({0, 0, 0}, {3, 0, 0}, {0, 4, 0})), 5);
+    EXPECT_EQ(sizeOf({ShapeKind::Box, {glm::dvec4(9, 9, 9, 0), glm::dvec4(2, 3, 6, 0), glm::dvec4(0)}}), 7);
+    EXPECT_TRUE(std::isinf(sizeOf({ShapeKind::Plane, {glm::dvec4(0), glm::dvec4(0, 1, 0, 0), glm::dvec4(0)}})));
 }
 
 TEST(Torus, NeedsAHole) {

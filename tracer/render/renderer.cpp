@@ -210,8 +210,8 @@ struct Renderer::Impl {
 
     // --- drawing ----------------------------------------------------------------------------------------------------
 
-    void uploadScene(const CachedProgram& program, const Scene& scene, double time) {
-        std::vector<glm::vec4> texels = packScene(scene, program.features, time);
+    void uploadScene(const CachedProgram& program, const Scene& scene, const View& view) {
+        std::vector<glm::vec4> texels = packScene(scene, program.features, view.time, view.camera.eye);
         if (program.features.dataBlock) {
             glBindBuffer(GL_UNIFORM_BUFFER, sceneBuffer.get());
             glBufferData(GL_UNIFORM_BUFFER, GLsizeiptr(texels.size() * sizeof(glm::vec4)), texels.data(),
@@ -248,7 +248,7 @@ struct Renderer::Impl {
         glBindBuffer(GL_UNIFORM_BUFFER, frameBuffer.get());
         glBufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_DYNAMIC_DRAW);
         glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, frameBuffer.get());
-        uploadScene(program, loaded.scene, view.time);
+        uploadScene(program, loaded.scene, view);
         bindImages(loaded);
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
         glViewport(0, 0, view.width, view.height);

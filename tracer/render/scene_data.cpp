@@ -7,12 +7,11 @@ namespace gnomon {
 namespace {
 
 /// Object indices in the shader's order: by kind, within a kind the casters first, else as in the file.
-std::vector<int> shaderOrder(const Scene& scene) {
+std::vector<int> shaderOrder(const Scene& scene, const std::vector<ShapeKind>& kinds) {
     std::vector<int> order(scene.objects.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = int(i);
     const auto place = [&](int i) {
-        const Object& object = scene.objects[i];
-        return std::pair(object.shape.kind, !object.castsShadow);
+        return std::pair(kinds[std::size_t(i)], !scene.objects[std::size_t(i)].castsShadow);
     };
     std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return place(a) < place(b); });
     return order;
@@ -60,14 +59,16 @@ void packMaterial(const Material& m, const std::vector<std::string>& images, dou
                 placement(m.texture, time), placement(m.normalMap, time), glm::vec4(optics.mask, 0, 0, 0)});
 }
 
-} // namespace
-
-int sceneTexels(const Scene& scene) {
+int texelsOf(const Scene& scene, const std::vector<ShapeKind>& kinds) {
     int texels = int(scene.materials.size()) * kMaterialTexels + int(scene.lights.size()) * kLightTexels;
-    for (const Object& object : scene.objects)
-        texels += shapeRow(object.shape.kind).texels + 1 + (object.glow ? kGlowTexels : 0);
+    for (const ShapeKind kind : kinds) texels += shapeRow(kind).texels + 1;
+    for (const Object& object : scene.objects) texels += object.glow ? kGlowTexels : 0;
     return texels;
 }
+
+} // namespace
+
+int sceneTexels(const Scene& scene) { return texelsOf(scene, drawnKinds(scene)); }
 
 std::vector<std::pair<std::string, int>> constantsOf(const Features& features) {
     std::vector<std::pair<std::string, int>> constants;
@@ -98,13 +99,20 @@ std::vector<std::pair<std::string, int>> constantsOf(const Features& features) {
 }
 
 std::vector<glm::vec4> packScene(const Scene& scene, const Features& features, double time) {
+    return packScene(scene, features, time, scene.camera.eye);
+}
+
+std::vector<glm::vec4> packScene(const Scene& scene, const Features& features, double time, glm::dvec3 eye) {
     const std::vector<Shape> shapes = shapesAt(scene, time);
-    const std::vector<int> order = shaderOrder(scene);
+    const std::vector<ShapeKind> kinds = drawnKinds(scene);
+    const std::vector<int> order = shaderOrder(scene, kinds);
     const std::vector<std::string> images = imageSlots(scene);
     std::vector<glm::vec4> texels;
-    texels.reserve(std::size_t(sceneTexels(scene)));
-    for (int i : order)
-        for (int k = 0; k < shapeRow(shapes[i].kind).texels; ++k) texels.emplace_back(shapes[i].texels[k]);
+    texels.reserve(std::size_t(texelsOf(scene, kinds)));
+    for (int i : order) {
+        const Shape drawn = drawnAs(kinds[i], shapes[i], eye);
+        for (int k = 0; k < shapeRow(drawn.kind).texels; ++k) texels.emplace_back(drawn.texels[k]);
+    }
     for (int i : order) texels.emplace_back(float(scene.objects[i].material), float(i), 0.0f, 0.0f);
     for (const Material& material : scene.materials) packMaterial(material, images, time, texels);
     for (const Light& light : scene.lights) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gnomon {
 
@@ -16,6 +17,11 @@ int centreOf(const Scene& scene, int index) {
     const Object& object = scene.objects[std::size_t(index)];
     const int around = object.motion ? object.motion->around : -1;
     return around >= 0 && around < int(scene.objects.size()) ? around : -1;
+}
+
+/// How far a point is from the surface of a sphere.
+double heightAbove(const Shape& sphere, glm::dvec3 point) {
+    return std::abs(glm::distance(point, pointOf(sphere, "center")) - lengthOf(sphere, "radius"));
 }
 
 void addOnce(std::vector<std::string>& names, const std::string& name) {
@@ -49,6 +55,21 @@ std::vector<Shape> shapesAt(const Scene& scene, double time) {
         }
     }
     return shapes;
+}
+
+std::vector<ShapeKind> drawnKinds(const Scene& scene) {
+    constexpr double kHuge = 100;
+    const std::vector<Shape> shapes = shapesAt(scene, 0);
+    double least = std::numeric_limits<double>::infinity();
+    for (const Shape& shape : shapes) least = std::min(least, sizeOf(shape));
+    std::vector<ShapeKind> kinds;
+    kinds.reserve(shapes.size());
+    for (const Shape& shape : shapes) {
+        const bool huge = shape.kind == ShapeKind::Sphere &&
+                          lengthOf(shape, "radius") > kHuge * std::min(least, heightAbove(shape, scene.camera.eye));
+        kinds.push_back(huge ? ShapeKind::Globe : shape.kind);
+    }
+    return kinds;
 }
 
 std::vector<std::string> imagesOf(const Scene& scene) {

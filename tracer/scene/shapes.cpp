@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <limits>
 
 namespace gnomon {
 
@@ -90,6 +91,7 @@ const std::array<ShapeRow, kShapeKinds>& rows() {
           {"to", Point, 1, 0, "Apex"},
           {"radius", Length, 0, 3, "Radius of the base"}},
          checkAxis},
+        {ShapeKind::Globe, "globe", "Globe", 2, {}, nothingWrong}, // packed by globeOf()
     }};
     // clang-format on
     return table;
@@ -102,9 +104,33 @@ const ShapeField& fieldOf(const Shape& shape, std::string_view key) {
     return *field;
 }
 
+int pointsOf(FieldType type) { return type == FieldType::Vertices ? 3 : type == FieldType::Point ? 1 : 0; }
+
+/// The nearest float32. Through memory, since GCC 12 at -O2 leaves the rounding of two neighbours out
+/// (SLP vectorizer; -O1, -fno-tree-slp-vectorize and clang do not).
+double rounded(double x) {
+    const volatile float stored = float(x);
+    return stored;
+}
+
+/// The sphere in the numbers that shaders/primitive/globe.glsl reads, near `eye` within float32 of what is near, where
+/// centre and radius are within float32 of the radius only.
+Shape globeOf(const Shape& sphere, glm::dvec3 eye) {
+    const glm::dvec3 center = pointOf(sphere, "center");
+    const double radius = lengthOf(sphere, "radius"), away = glm::distance(eye, center);
+    const glm::dvec3 towardsEye = away > 0 ? (eye - center) / away : glm::dvec3(0, 1, 0);
+    // The anchor is a point that float32 holds; all else is worked out for it, so that its rounding moves nothing.
+    const glm::dvec3 nearest = center + radius * towardsEye;
+    const glm::dvec3 anchor{rounded(nearest.x), rounded(nearest.y), rounded(nearest.z)};
+    const double reach = glm::distance(anchor, center);
+    const double height = (reach - radius) * (reach + radius) / (2 * reach);
+    return {ShapeKind::Globe,
+            {glm::dvec4(anchor, 1 / reach), glm::dvec4((anchor - center) / reach, height), glm::dvec4(0)}};
+}
+
 } // namespace
 
-std::span<const ShapeRow> shapeTable() { return rows(); }
+std::span<const ShapeRow> shapeTable() { return std::span(rows()).first(kShapeKinds - 1); }
 
 const ShapeRow& shapeRow(ShapeKind kind) { return rows()[std::size_t(kind)]; }
 
@@ -124,10 +150,28 @@ glm::dvec3 referencePoint(const Shape& shape) {
     return glm::dvec3(0);
 }
 
+double sizeOf(const Shape& shape) {
+    double size = 0;
+    std::array<glm::dvec3, kMaxShapeTexels> points;
+    std::size_t count = 0;
+    for (const ShapeField& field : shapeRow(shape.kind).fields) {
+        const glm::dvec4* texel = &shape.texels[std::size_t(field.texel)];
+        for (int i = 0; i < pointsOf(field.type); ++i) points[count++] = glm::dvec3(texel[i]);
+        if (field.type == FieldType::Length) size = std::max(size, (*texel)[field.component]);
+        if (field.type == FieldType::Lengths) size = std::max(size, glm::length(glm::dvec3(*texel)));
+    }
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t k = 0; k < i; ++k) size = std::max(size, glm::distance(points[i], points[k]));
+    return size > 0 ? size : std::numeric_limits<double>::infinity();
+}
+
+Shape drawnAs(ShapeKind kind, const Shape& shape, glm::dvec3 eye) {
+    return kind == ShapeKind::Globe ? globeOf(shape, eye) : shape;
+}
+
 Shape translated(Shape shape, glm::dvec3 by) {
     for (const ShapeField& field : shapeRow(shape.kind).fields) {
-        const int points = field.type == FieldType::Vertices ? 3 : field.type == FieldType::Point ? 1 : 0;
-        for (int i = 0; i < points; ++i) shape.texels[std::size_t(field.texel + i)] += glm::dvec4(by, 0);
+        for (int i = 0; i < pointsOf(field.type); ++i) shape.texels[std::size_t(field.texel + i)] += glm::dvec4(by, 0);
     }
     return shape;
 }

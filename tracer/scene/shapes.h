@@ -15,8 +15,9 @@
 
 namespace gnomon {
 
-enum class ShapeKind { Sphere, Plane, Disc, Triangle, Torus, Box, Cylinder, Capsule, Cone };
-inline constexpr int kShapeKinds = 9;
+/// Those that scene files name, and last the one that a sphere may be drawn as.
+enum class ShapeKind { Sphere, Plane, Disc, Triangle, Torus, Box, Cylinder, Capsule, Cone, Globe };
+inline constexpr int kShapeKinds = 10;
 
 /// Most texels (vec4) the geometry of one shape may take.
 inline constexpr int kMaxShapeTexels = 3;
@@ -55,8 +56,9 @@ struct Shape {
     std::array<glm::dvec4, kMaxShapeTexels> texels{};
 };
 
-/// All rows, in the order of ShapeKind.
+/// The rows of the shapes that scene files name, in the order of ShapeKind.
 std::span<const ShapeRow> shapeTable();
+/// The row of any kind.
 const ShapeRow& shapeRow(ShapeKind);
 
 /// Reads a vector or scalar field back out of the packed shape.
@@ -66,6 +68,14 @@ double lengthOf(const Shape&, std::string_view field);
 /// The point that stands for the whole shape where another object moves around it: its centre, the point of a plane,
 /// the first vertex.
 glm::dvec3 referencePoint(const Shape&);
+
+/// The longest of a shape's lengths and of the distances between its points; infinite where it has neither: a plane.
+double sizeOf(const Shape&);
+
+/// A shape as the shader reads it where it is drawn as `kind`: itself, or a sphere as a globe. A globe is told from its
+/// point nearest to `eye`, where the picture is taken from: its errors grow with the distance from there, as what they
+/// look like shrinks.
+Shape drawnAs(ShapeKind kind, const Shape&, glm::dvec3 eye);
 
 /// The shape moved by `by`: every point and vertex of it.
 Shape translated(Shape, glm::dvec3 by);

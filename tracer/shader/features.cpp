@@ -11,11 +11,12 @@ constexpr int kDeepestTree = 8; // the largest depth a user can choose: depth it
 
 std::vector<KindCount> countKinds(const Scene& scene) {
     std::array<KindCount, kShapeKinds> counts{};
-    for (const Object& object : scene.objects) {
-        KindCount& kind = counts[int(object.shape.kind)];
-        kind.kind = object.shape.kind;
+    const std::vector<ShapeKind> kinds = drawnKinds(scene);
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        KindCount& kind = counts[std::size_t(kinds[i])];
+        kind.kind = kinds[i];
         ++kind.count;
-        kind.casters += object.castsShadow;
+        kind.casters += scene.objects[i].castsShadow;
     }
     std::vector<KindCount> present;
     std::copy_if(counts.begin(), counts.end(), std::back_inserter(present),

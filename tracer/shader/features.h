@@ -17,7 +17,7 @@ struct KindCount {
 };
 
 struct Features {
-    std::vector<KindCount> shapes; ///< kinds present only, in table order
+    std::vector<KindCount> shapes; ///< kinds drawn, in the order of ShapeKind
     int materials = 0, lights = 0, glows = 0, images = 0;
     int rayStack = 0; ///< entries: one less than the deepest tree where a surface both reflects and refracts, else 0
     bool reflection = false, refraction = false, coats = false, conductors = false, coatMasks = false;

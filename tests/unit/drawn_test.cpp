@@ -1,0 +1,143 @@
+// What shapes are drawn as: which spheres are huge, and that a globe's float32 numbers mean the scene's sphere.
+#include "tests/support/scenes.h"
+#include "tracer/render/scene_data.h"
+#include "tracer/shader/shader_builder.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+namespace gnomon {
+namespace {
+
+using test::sceneFrom;
+using test::sceneNamed;
+
+const char* const kBall = R"({"sphere": {"center": [0, 0.5, 0], "radius": 0.5}})";
+const char* const kFloor = R"({"plane": {"point": [0, 0, 0], "normal": [0, 1, 0]}})";
+
+/// A sphere whose top is the origin, seen from `eyeHeight` above it, with one more object.
+Scene onSphere(double radius, double eyeHeight, const std::string& other) {
+    char text[300];
+    std::snprintf(text, sizeof text,
+                  R"({"camera": {"eye": [0, %.17g, 0], "target": [1000, 0, 0]},
+            "objects": [{"sphere": {"center": [0, %.17g, 0], "radius": %.17g}},)",
+                  eyeHeight, -radius, radius);
+    return sceneFrom(text + other + "]}");
+}
+
+Scene scaled(Scene scene, double by) {
+    scene.camera.eye *= by;
+    for (Object& object : scene.objects) object.shape.texels[0] *= by; // spheres
+    return scene;
+}
+
+ShapeKind first(const Scene& scene) { return drawnKinds(scene)[0]; }
+
+std::string sourceOf(const Scene& scene) {
+    Problems problems;
+    const std::string text = buildShader("pass/trace.frag", featuresOf(scene, {}, 1024, true), problems).text;
+    EXPECT_EQ(toString(problems), "");
+    return text;
+}
+
+TEST(Drawn, IsAGlobeWhereThingsOnASphereAreOverAHundredTimesSmaller) {
+    EXPECT_EQ(first(onSphere(49, 10, kBall)), ShapeKind::Sphere);
+    EXPECT_EQ(first(onSphere(51, 10, kBall)), ShapeKind::Globe);
+    EXPECT_EQ(drawnKinds(onSphere(51, 10, kBall))[1], ShapeKind::Sphere) << "the ball on it";
+}
+
+TEST(Drawn, IsAGlobeWhereTheSceneIsSeenFromLessThanAHundredthAboveOrBelowASphere) {
+    EXPECT_EQ(first(onSphere(1000, 11, kFloor)), ShapeKind::Sphere) << "a plane has no size";
+    EXPECT_EQ(first(onSphere(1000, 9, kFloor)), ShapeKind::Globe);
+    EXPECT_EQ(first(onSphere(1000, -9, kFloor)), ShapeKind::Globe);
+}
+
+TEST(Drawn, DoesNotDependOnTheScenesUnit) {
+    for (double by : {1e-4, 1e4}) {
+        EXPECT_EQ(first(scaled(onSphere(51, 10, kBall), by)), ShapeKind::Globe);
+        EXPECT_EQ(first(scaled(onSphere(49, 10, kBall), by)), ShapeKind::Sphere);
+    }
+}
+
+TEST(Drawn, IsNoGlobeInTheScenesThatComeWithTheProgram) {
+    for (const char* name : {"lite", "pro", "torus", "shapes"}) {
+        const Scene scene = sceneNamed(name);
+        for (std::size_t i = 0; i < scene.objects.size(); ++i)
+            EXPECT_EQ(drawnKinds(scene)[i], scene.objects[i].shape.kind) << name;
+        EXPECT_EQ(sourceOf(scene).find("lobe"), std::string::npos) << name;
+    }
+}
+
+TEST(Drawn, BringsTheCodeOfGlobesOnlyWhereThereIsOne) {
+    EXPECT_NE(sourceOf(onSphere(51, 10, kFloor)).find("intersectSphere"), std::string::npos);
+    EXPECT_EQ(sourceOf(onSphere(51, 10, kFloor)).find("Globe"), std::string::npos);
+    EXPECT_NE(sourceOf(onSphere(5100, 10, kFloor)).find("intersectGlobe"), std::string::npos);
+    EXPECT_EQ(sourceOf(onSphere(5100, 10, kFloor)).find("Sphere"), std::string::npos) << "no sphere is left";
+}
+
+TEST(Drawn, DoesNotChangeWithTime) {
+    Scene scene = onSphere(51, 10, kBall);
+    scene.objects[1].motion = Orbit{{0, 1e5, 0}, {0, 0, 0}, 1, -1};
+    scene.objects[0].motion = Orbit{{0, 0, 0}, {0, 1e5, 0}, 1, -1};
+    const Features features = featuresOf(scene, {}, 1024, true);
+    const auto now = packScene(scene, features, 0), later = packScene(scene, features, 1.5707963);
+    EXPECT_EQ(now.size(), later.size());
+    EXPECT_EQ(int(now.size()), sceneTexels(scene));
+    EXPECT_NEAR(now[1].y, 0, 0.01) << "sphere first, then the globe's anchor: its top, under the eye";
+    EXPECT_NEAR(later[1].y, 1e5 - 51 - 51, 0.01) << "its lowest point, now over the eye";
+}
+
+TEST(Drawn, LeavesTheGlowOfAGlobeAtItsCentre) {
+    Scene scene = onSphere(5100, 10, kFloor);
+    scene.objects[0].glow = Glow{};
+    const Features features = featuresOf(scene, {}, 1024, true);
+    const auto texels = packScene(scene, features, 0);
+    EXPECT_EQ(features.glows, 1);
+    EXPECT_EQ(texels[texels.size() - 2], glm::vec4(0, -5100, 0, Glow{}.strength));
+}
+
+/// The surface of a packed globe, as the shader's float32 numbers have it, above (p): curvature p·p / 2 + normal·p +
+/// height.
+double above(const Shape& globe, glm::dvec3 p) {
+    const glm::vec4 a(globe.texels[0]), b(globe.texels[1]); // rounded as in packScene()
+    const glm::dvec3 local = p - glm::dvec3(a.x, a.y, a.z);
+    return double(a.w) * glm::dot(local, local) / 2 + glm::dot(glm::dvec3(b.x, b.y, b.z), local) + double(b.w);
+}
+
+// Which sphere is drawn: the scene's own, off by the rounding of normal and curvature, which grows with the distance D
+// from the anchor: sqrt(3) 2^-25 D + 2^-25 D^2 / 2r, within 2^-23 D anywhere on the sphere.
+TEST(Globe, MeansTheScenesSphereWithinTheRoundingOfItsNormal) {
+    for (const double radius : {1.0, 1e3, 1e4, 1e6}) {
+        const glm::dvec3 up = glm::normalize(glm::dvec3(0.3123, 0.8765, -0.4321));
+        const glm::dvec3 along = glm::normalize(glm::cross(up, glm::dvec3(0, 0, 1)));
+        const glm::dvec3 center = glm::dvec3(0.1234567, -0.2345678, 0.3456789) - radius * up;
+        const Shape sphere{ShapeKind::Sphere, {glm::dvec4(center, radius), glm::dvec4(0), glm::dvec4(0)}};
+        const Shape globe = drawnAs(ShapeKind::Globe, sphere, center + (radius + 1) * up);
+        EXPECT_EQ(globe.kind, ShapeKind::Globe);
+        const glm::dvec3 anchor(globe.texels[0]);
+        EXPECT_NEAR(glm::distance(anchor, center + radius * up), 0, 1e-7);
+        for (double angle : {0.0, 1e-6, 1e-4, 1e-2, 0.5, 1.5, 3.0}) {
+            const glm::dvec3 p = center + radius * (std::cos(angle) * up + std::sin(angle) * along);
+            const double resolution = 4e-16 * radius; // of this test's own doubles
+            EXPECT_LE(std::abs(above(globe, p)), std::ldexp(glm::distance(p, anchor), -23) + resolution)
+                << radius << ' ' << angle;
+        }
+    }
+}
+
+TEST(Globe, HasAnAnchorAlsoForAnEyeAtItsCentre) {
+    const Shape sphere{ShapeKind::Sphere, {glm::dvec4(1, 2, 3, 10), glm::dvec4(0), glm::dvec4(0)}};
+    const Shape globe = drawnAs(ShapeKind::Globe, sphere, {1, 2, 3});
+    EXPECT_EQ(glm::dvec3(globe.texels[0]), glm::dvec3(1, 12, 3));
+    EXPECT_EQ(glm::dvec3(globe.texels[1]), glm::dvec3(0, 1, 0));
+}
+
+TEST(Drawn, LeavesEveryOtherShapeAsItIs) {
+    const Shape disc{ShapeKind::Disc, {glm::dvec4(1, 2, 3, 10), glm::dvec4(0, 1, 0, 0), glm::dvec4(0)}};
+    EXPECT_EQ(drawnAs(ShapeKind::Disc, disc, {1, 2, 3}).texels, disc.texels);
+}
+
+} // namespace
+} // namespace gnomon
