@@ -1,6 +1,7 @@
 #include "tests/oracle/judge.h"
 
 #include <cmath>
+#include <limits>
 #include <thread>
 
 namespace gnomon::oracle {
@@ -77,9 +78,16 @@ Verdict judge(const Body<double>& body, const BatchRay& ray, const BatchHit& ans
 
 Spread spreadOf(std::vector<double> values) {
     if (values.empty()) return {};
+    for (double& value : values)
+        if (std::isnan(value)) value = std::numeric_limits<double>::infinity();
     std::sort(values.begin(), values.end());
     const auto at = [&](double part) { return values[std::size_t(part * double(values.size() - 1))]; };
     return {at(0.5), at(0.999), values.back()};
+}
+
+bool within(const Tally& tally, const Bounds& bounds) {
+    return tally.wrong() == 0 && tally.ray.worst <= bounds.ray && tally.point.worst <= bounds.point &&
+           tally.normal.worst <= bounds.normal; // NaN is not
 }
 
 Tally judgeAll(const Shape& shape, const std::vector<BatchRay>& rays, const std::vector<BatchHit>& answers) {

@@ -59,6 +59,7 @@ struct Tally {
 
     std::int64_t wrong() const { return missed + invented + elsewhere; }
 };
+bool within(const Tally&, const Bounds&);
 /// Judges on all cores.
 Tally judgeAll(const Shape&, const std::vector<BatchRay>&, const std::vector<BatchHit>&);
 

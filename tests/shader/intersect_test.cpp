@@ -8,6 +8,7 @@
 #include "tests/oracle/subjects.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
+#include "tracer/gl/gl.h"
 
 #include <gtest/gtest.h>
 
@@ -22,6 +23,17 @@ using namespace test;
 using namespace oracle;
 
 constexpr double kDistances[] = {3, 10, 100, 1000, 10000};
+
+/// Bounds are held on the GL that GNOMON_CONTEXT and GALLIUM_DRIVER name, OSMesa on llvmpipe by default.
+void chooseGl() {
+    const char* asked = std::getenv("GNOMON_CONTEXT");
+    const auto kind = contextNamed(asked ? asked : "osmesa");
+    ASSERT_TRUE(kind) << "GNOMON_CONTEXT=" << asked;
+    offscreen(*kind);
+    const char* driver = std::getenv("GALLIUM_DRIVER");
+    const std::string renderer = gl::info().renderer;
+    ASSERT_NE(renderer.find(driver ? driver : "llvmpipe"), std::string::npos) << renderer;
+}
 
 std::int64_t raysAShape() {
     const char* asked = std::getenv("GNOMON_RAYS");
@@ -68,7 +80,7 @@ class Intersect : public testing::TestWithParam<Subject> {};
 
 TEST_P(Intersect, AnswersLikeTheOracleFromThreeToTenThousandSizes) {
     const Subject& subject = GetParam();
-    offscreen();
+    ASSERT_NO_FATAL_FAILURE(chooseGl());
     const Bounds bounds = boundsOf(subject.body.kind);
     const std::int64_t each = raysAShape() / cellsOf(subject.shape) + 1;
     for (const RayClass kind : kRayClasses)
@@ -106,7 +118,7 @@ TEST_P(Intersect, AnswersLikeTheOracleFromThreeToTenThousandSizes) {
 // neither meets its own start again nor misses the rest of the body.
 TEST_P(Intersect, LetsARayLeaveTheSurfaceItStartsOn) {
     const Subject& subject = GetParam();
-    offscreen();
+    ASSERT_NO_FATAL_FAILURE(chooseGl());
     const Shape shape = placed(subject, RayClass::Uniform, 10);
     const Body<double> body(shape);
     Problems problems;
@@ -178,7 +190,7 @@ TEST_P(Watertight, LetsNoRayThroughAnEdgeOrAVertex) {
     for (int i = 0; i < spokes; ++i)
         objects += (i ? "," : "") + (R"({"triangle": {"vertices": [)" + text(glm::vec3(middle))) + "," + text(rim[i]) +
                    "," + text(rim[(i + 1) % spokes]) + "]}}";
-    offscreen();
+    ASSERT_NO_FATAL_FAILURE(chooseGl());
     Problems problems;
     RayBatch batch(sceneFrom(R"({"objects": [)" + objects + "]}"), problems);
     ASSERT_TRUE(batch.valid()) << toString(problems);

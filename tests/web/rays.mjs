@@ -133,7 +133,7 @@ export async function traceRays(page, scene, rays) {
       for (let i = 0; i < answers.length; i += 8192) letters += String.fromCharCode(...answers.subarray(i, i + 8192));
       return btoa(letters);
     },
-    JSON.stringify(scene),
+    typeof scene === 'string' ? scene : JSON.stringify(scene),
     Buffer.from(rays.buffer, rays.byteOffset, rays.byteLength).toString('base64'),
   );
   const bytes = Buffer.from(answer, 'base64');

@@ -1,0 +1,146 @@
+/// Rays for a GL that only a browser reaches, and the judge of what it answers.
+///
+///   ray_corpus ask FOLDER RAYS    per body and placing N.json, a scene, and N.rays: RAYS a class of rays and distance
+///   ray_corpus judge FOLDER       N.answers against the oracle; exit 1 where a bound does not hold
+/// A ray is 8 float32 (origin, side, direction, tMin), an answer 8 (object, t, point, normal): as traceRays() has them.
+
+#include "tests/oracle/judge.h"
+#include "tests/oracle/subjects.h"
+#include "tracer/scene/read_scene.h"
+
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+namespace gnomon::oracle {
+namespace {
+
+using Path = std::filesystem::path;
+
+/// A body as it is placed for some classes of rays.
+struct Set {
+    const Subject* subject;
+    std::vector<RayClass> classes;
+    std::vector<double> distances;
+};
+
+std::vector<Set> allSets() {
+    std::vector<Set> sets;
+    for (const Subject& subject : subjects()) {
+        Set placed{&subject, {}, {3, 100, 10000}};
+        for (const RayClass kind : kRayClasses)
+            if (fits(kind, subject) && kind != RayClass::Inside && kind != RayClass::Axis)
+                placed.classes.push_back(kind);
+        sets.push_back(placed);
+        sets.push_back({&subject, {RayClass::Axis}, {3, 100, 10000}});
+        if (fits(RayClass::Inside, subject)) sets.push_back({&subject, {RayClass::Inside}, {1000}});
+    }
+    return sets;
+}
+
+std::string numbers(glm::dvec4 v) {
+    char text[120];
+    std::snprintf(text, sizeof text, "[%.9g, %.9g, %.9g]", v.x, v.y, v.z);
+    return text;
+}
+
+std::string sceneText(const Shape& shape) {
+    std::string fields;
+    for (const ShapeField& field : shapeRow(shape.kind).fields) {
+        const glm::dvec4* texel = &shape.texels[std::size_t(field.texel)];
+        std::string value = numbers(texel[0]);
+        if (field.type == FieldType::Length) value = std::to_string((*texel)[field.component]);
+        if (field.type == FieldType::Vertices)
+            value = "[" + value + ", " + numbers(texel[1]) + ", " + numbers(texel[2]) + "]";
+        fields += (fields.empty() ? "\"" : ", \"") + std::string(field.key) + "\": " + value;
+    }
+    return "{\"objects\": [{\"" + std::string(shapeRow(shape.kind).key) + "\": {" + fields + "}}]}\n";
+}
+
+/// The shape as a reader of the scene file has it: a direction is made unit anew there.
+Shape shapeIn(const Path& file) {
+    std::ifstream in(file);
+    const std::string text{std::istreambuf_iterator<char>(in), {}};
+    Problems problems;
+    const auto scene = readScene(text, file.string(), problems);
+    if (!scene) std::fprintf(stderr, "ray_corpus: error: %s\n", toString(problems).c_str());
+    return scene ? scene->objects.at(0).shape : Shape{};
+}
+
+std::vector<BatchRay> raysOf(const Set& set, const Shape& shape, int each) {
+    std::vector<BatchRay> rays;
+    for (const RayClass kind : set.classes)
+        for (const double distance : set.distances) {
+            RayStream stream(shape, kind, distance, 11);
+            for (int i = 0; i < each; ++i) rays.push_back(stream.next());
+        }
+    return rays;
+}
+
+int ask(const Path& folder, int each) {
+    const std::vector<Set> sets = allSets();
+    for (std::size_t i = 0; i < sets.size(); ++i) {
+        const Path name = folder / std::to_string(i);
+        const RayClass placing = sets[i].classes.front();
+        std::ofstream(name.string() + ".json")
+            << sceneText(placed(*sets[i].subject, placing, sets[i].distances.front()));
+        std::ofstream out(name.string() + ".rays", std::ios::binary);
+        for (const BatchRay& ray : raysOf(sets[i], shapeIn(name.string() + ".json"), each)) {
+            const float numbers[] = {ray.origin.x,    ray.origin.y,    ray.origin.z,    ray.side,
+                                     ray.direction.x, ray.direction.y, ray.direction.z, ray.tMin};
+            out.write(reinterpret_cast<const char*>(numbers), sizeof numbers);
+        }
+        if (!out.flush()) return std::fprintf(stderr, "ray_corpus: error: cannot write %s\n", name.c_str()), 1;
+    }
+    std::printf("%zu\n", sets.size());
+    return 0;
+}
+
+template<class Entry>
+std::vector<Entry> readAll(const Path& file) {
+    std::ifstream in(file, std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    std::vector<Entry> entries(bytes.size() / sizeof(Entry));
+    std::memcpy(entries.data(), bytes.data(), entries.size() * sizeof(Entry));
+    return entries;
+}
+
+bool judgeSet(const Set& set, const Path& name) {
+    using Eight = std::array<float, 8>;
+    const Shape shape = shapeIn(name.string() + ".json");
+    std::vector<BatchRay> rays;
+    for (const Eight& n : readAll<Eight>(name.string() + ".rays"))
+        rays.push_back({{n[0], n[1], n[2]}, n[3], {n[4], n[5], n[6]}, n[7]});
+    std::vector<BatchHit> answers;
+    for (const Eight& n : readAll<Eight>(name.string() + ".answers"))
+        answers.push_back({int(n[0]), n[1], {n[2], n[3], n[4]}, {n[5], n[6], n[7]}});
+    if (rays.empty() || answers.size() != rays.size())
+        return std::printf("%s: %zu answers for %zu rays\n", name.c_str(), answers.size(), rays.size()), false;
+    const Tally tally = judgeAll(shape, rays, answers);
+    const bool holds = within(tally, boundsOf(shape.kind));
+    std::printf("%-13s %-8s %6zu rays, %6zu decided: %zu wrong; ray %.2f ulp, point %.2f, normal %.2f roundings%s\n",
+                set.subject->name().c_str(), std::string(nameOf(set.classes.front())).c_str(), rays.size(),
+                std::size_t(tally.decided), std::size_t(tally.wrong()), tally.ray.worst, tally.point.worst,
+                tally.normal.worst, holds ? "" : "  OUT OF BOUNDS");
+    return holds;
+}
+
+int judgeFolder(const Path& folder) {
+    const std::vector<Set> sets = allSets();
+    bool holds = true;
+    for (std::size_t i = 0; i < sets.size(); ++i) holds &= judgeSet(sets[i], folder / std::to_string(i));
+    return holds ? 0 : 1;
+}
+
+} // namespace
+} // namespace gnomon::oracle
+
+int main(int argc, char** argv) {
+    const std::string what = argc > 1 ? argv[1] : "";
+    if (what == "ask" && argc == 4) return gnomon::oracle::ask(argv[2], std::atoi(argv[3]));
+    if (what == "judge" && argc == 3) return gnomon::oracle::judgeFolder(argv[2]);
+    std::fprintf(stderr, "usage: ray_corpus ask FOLDER RAYS | ray_corpus judge FOLDER\n");
+    return 2;
+}
