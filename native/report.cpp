@@ -1,0 +1,40 @@
+#include "native/report.h"
+
+#include "native/report_files.h"
+
+#include <fstream>
+
+namespace gnomon {
+namespace {
+
+/// Script text must not end its element, nor open a comment that swallows the end.
+std::string inScript(std::string text) {
+    for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos; at += 3) text.insert(at + 1, "\\");
+    for (std::size_t at = 0; (at = text.find("<!--", at)) != std::string::npos; at += 5) text.insert(at + 1, "\\");
+    return text;
+}
+
+void put(std::string& page, const std::string& mark, const std::string& text) {
+    page.replace(page.find(mark), mark.size(), text);
+}
+
+} // namespace
+
+std::string toHtml(const Results& results) {
+    std::string page(reportFile("report.html"));
+    put(page, "/*style*/", std::string(reportFile("report.css")));
+    put(page, "/*chart*/", std::string(reportFile("chart.min.js")));
+    put(page, "/*report*/", std::string(reportFile("report.js")));
+    put(page, "/*results*/", inScript(toJson(results)));
+    return page;
+}
+
+bool writeText(const std::string& file, const std::string& text, Problems& problems) {
+    std::ofstream out(file, std::ios::binary);
+    out << text;
+    if (out.flush()) return true;
+    problems.push_back({file, 0, {}, "cannot be written", "choose a folder that exists and may be written to"});
+    return false;
+}
+
+} // namespace gnomon
