@@ -7,6 +7,7 @@ namespace gnomon {
 
 void addView(CLI::App&, Task& task);
 void addRender(CLI::App&, Task& task);
+void addLab(CLI::App&, Task& task);
 void addCheck(CLI::App&, Task& task);
 void addShader(CLI::App&, Task& task);
 void addScenes(CLI::App&, Task& task);

@@ -80,7 +80,7 @@ int main(int argc, char** argv) {
     app.footer("`gnomon [SCENE]` is short for `gnomon view [SCENE]`; the first scene is lite.\n"
                "Exit codes: 0 done, 1 the input is wrong, 2 the command line is wrong, 3 no usable GL.");
     Task task;
-    for (const auto add : {addView, addRender, addCheck, addShader, addScenes, addSettingsList, addInfo})
+    for (const auto add : {addView, addRender, addLab, addCheck, addShader, addScenes, addSettingsList, addInfo})
         add(app, task);
     for (auto* command : app.get_subcommands({})) command->allow_extras();
 

@@ -1,0 +1,56 @@
+/// The measurements of `gnomon lab intersect`: the shader's intersectors beside the textbook's, for every shape, class of
+/// rays and distance.
+#pragma once
+
+#include "tests/oracle/judge.h"
+#include "tests/oracle/subjects.h"
+#include "tracer/lab/results.h"
+#include "tracer/shader/library.h"
+
+#include <memory>
+#include <span>
+#include <vector>
+
+namespace gnomon::oracle {
+
+struct IntersectCell {
+    Subject subject;
+    RayClass kind;
+    double distance; ///< in sizes
+};
+
+/// All that fit of the given shapes (empty: all) at the distances. Cells of one placed body follow each other.
+std::vector<IntersectCell> intersectCells(const std::vector<std::string>& shapes, const std::vector<double>& distances);
+
+/// How much longer one takes than another in one run, over interleaved pairs.
+struct Ratio {
+    double median = 0, least = 0, most = 0;
+};
+
+struct IntersectRow {
+    IntersectCell cell;
+    Tally ours, naive;
+    Ratio cost; ///< ours to naive
+};
+
+class IntersectLab {
+  public:
+    /// `naive` are the textbook's files, taking the place of the library's. `clock` counts the seconds of a cost.
+    IntersectLab(std::span<const ShaderFile> naive, double (*clock)());
+    ~IntersectLab();
+
+    /// Measures one cell with so many rays in the current context. False, with problems, where it cannot.
+    bool measure(const IntersectCell&, int rays, IntersectRow&, Problems&);
+
+  private:
+    struct Pair;
+    std::span<const ShaderFile> naive_;
+    double (*clock_)();
+    std::unique_ptr<Pair> pair_; ///< compiled for the last placed body
+};
+
+/// Every row, and the same rows' wrong decisions per shape and class. Charts to go with it.
+Table intersectTable(const std::vector<IntersectRow>&);
+std::vector<Chart> intersectCharts();
+
+} // namespace gnomon::oracle
