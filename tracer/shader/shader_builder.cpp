@@ -102,15 +102,19 @@ Lines linesOf(std::string_view file, std::string_view text) {
 
 class Builder {
   public:
-    Builder(const Features& features, Problems& problems) : names_(namesOf(features)), problems_(problems) {}
+    Builder(const Features& features, Problems& problems, std::span<const ShaderFile> overrides = {})
+        : names_(namesOf(features)), overrides_(overrides), problems_(problems) {
+        for (const ShaderFile& file : overrides)
+            if (!find(shaderLibrary(), file.name))
+                problem(file.name, 0, "an override of a file that the library does not have");
+    }
 
     void generate(const std::string& text) { emit(text, {"(generated)", 0}); }
 
     void include(std::string_view name, int depth = 0) {
-        const auto files = shaderLibrary();
-        const auto found =
-            std::find_if(files.begin(), files.end(), [&](const ShaderFile& file) { return file.name == name; });
-        if (found == files.end()) return problem("(generated)", 0, "there is no shader file " + std::string(name));
+        const ShaderFile* found = find(overrides_, name);
+        if (!found) found = find(shaderLibrary(), name);
+        if (!found) return problem("(generated)", 0, "there is no shader file " + std::string(name));
         if (std::find(source_.modules.begin(), source_.modules.end(), found->name) != source_.modules.end()) return;
         source_.modules.push_back(found->name);
         const Lines lines = linesOf(found->name, found->text);
@@ -121,6 +125,12 @@ class Builder {
 
   private:
     using Substitutions = std::vector<Substitution>;
+
+    static const ShaderFile* find(std::span<const ShaderFile> files, std::string_view name) {
+        const auto found =
+            std::find_if(files.begin(), files.end(), [&](const ShaderFile& file) { return file.name == name; });
+        return found == files.end() ? nullptr : &*found;
+    }
 
     void process(const Lines& lines, std::size_t from, std::size_t to, const Substitutions& words, int depth) {
         if (depth > kDeepest) return problem(lines.file, int(from) + 1, "includes nest too deeply");
@@ -231,6 +241,7 @@ class Builder {
 
     static constexpr int kDeepest = 16;
     Names names_;
+    std::span<const ShaderFile> overrides_;
     Problems& problems_;
     ShaderSource source_;
 };
@@ -243,8 +254,9 @@ void addPrelude(Builder& builder, const Features& features) {
         builder.generate("precision highp " + std::string(type) + ";");
 }
 
-ShaderSource build(std::string_view pass, const Features& features, bool constants, Problems& problems) {
-    Builder builder(features, problems);
+ShaderSource build(std::string_view pass, const Features& features, bool constants, Problems& problems,
+                   std::span<const ShaderFile> overrides = {}) {
+    Builder builder(features, problems, overrides);
     addPrelude(builder, features);
     if (constants) {
         for (const auto& [name, value] : constantsOf(features))
@@ -267,8 +279,9 @@ int loggedLine(std::string_view log) {
 
 } // namespace
 
-ShaderSource buildShader(std::string_view pass, const Features& features, Problems& problems) {
-    return build(pass, features, true, problems);
+ShaderSource buildShader(std::string_view pass, const Features& features, Problems& problems,
+                         std::span<const ShaderFile> overrides) {
+    return build(pass, features, true, problems, overrides);
 }
 
 ShaderSource buildCanvas(const Features& features, Problems& problems) {
