@@ -25,7 +25,7 @@ Context& offscreen(ContextKind kind) {
     return *context;
 }
 
-Drawing::Drawing(const Scene& scene, Settings settings) {
+Drawing::Drawing(const Scene& scene, Settings settings, std::span<const ShaderFile> overrides) : renderer_(overrides) {
     view = {scene.camera, settings.time, settings.size.x, settings.size.y};
     if (settings.eye) view.camera.eye = *settings.eye;
     if (settings.target) view.camera.target = *settings.target;

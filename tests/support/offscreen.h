@@ -17,7 +17,7 @@ Context& offscreen(ContextKind = ContextKind::OsMesa);
 /// A scene by name with its images, ready to draw with `settings`. Fails the running test on any problem.
 class Drawing {
   public:
-    Drawing(const Scene&, Settings);
+    Drawing(const Scene&, Settings, std::span<const ShaderFile> overrides = {});
     FloatImage output(); ///< what settings.aov names
     Image picture();     ///< as a window would show it
     Renderer& renderer() { return renderer_; }

@@ -121,6 +121,24 @@ TEST(ShaderBuilder, SaysWhichFileIsMissing) {
     EXPECT_NE(toString(problems).find("pass/nothing.frag"), std::string::npos);
 }
 
+TEST(ShaderBuilder, TakesAnOverrideInPlaceOfTheLibrarysFile) {
+    Problems problems;
+    const ShaderFile overrides[] = {{"primitive/torus.glsl", "int inItsPlace;\n"}};
+    const ShaderSource built = buildShader("pass/trace.frag", features(sceneNamed("torus")), problems, overrides);
+    EXPECT_EQ(toString(problems), "");
+    EXPECT_NE(built.text.find("int inItsPlace;"), std::string::npos);
+    EXPECT_EQ(built.text.find("struct Torus"), std::string::npos);
+    EXPECT_NE(built.text.find("struct Sphere"), std::string::npos) << "other files stay the library's";
+}
+
+TEST(ShaderBuilder, RefusesAnOverrideOfAFileThatTheLibraryDoesNotHave) {
+    Problems problems;
+    const ShaderFile overrides[] = {{"primitive/tours.glsl", "int unused;\n"}};
+    buildShader("pass/trace.frag", features(sceneNamed("torus")), problems, overrides);
+    ASSERT_EQ(problems.size(), 1u);
+    EXPECT_NE(toString(problems).find("primitive/tours.glsl"), std::string::npos);
+}
+
 TEST(ShaderLibrary, HoldsNoPrecisionBelowHighp) {
     for (const ShaderFile& file : shaderLibrary()) {
         EXPECT_EQ(file.text.find("mediump"), std::string_view::npos) << file.name;

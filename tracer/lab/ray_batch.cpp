@@ -11,10 +11,12 @@
 namespace gnomon {
 namespace {
 
-constexpr int kWidth = 512;                  // rays a row
-constexpr int kMostRows = 512;               // rows a draw
-constexpr GLsizeiptr kFrameBytes = 11 * 16;  // of the frame block, which the intersectors read only zeroes from
-constexpr int kOrigins = 0, kDirections = 1; // texture units
+constexpr int kWidth = 512;                 // rays a row
+constexpr int kMostRows = 512;              // rows a draw
+constexpr GLsizeiptr kFrameBytes = 11 * 16; // of the frame block (shaders/frame.glsl): all 0 but for limits.x
+constexpr GLintptr kRepeatsAt = 8 * 16;     // of limits.x
+constexpr std::size_t kMost = std::size_t(kWidth) * kMostRows; // rays a draw
+constexpr int kOrigins = 0, kDirections = 1;                   // texture units
 
 } // namespace
 
@@ -43,7 +45,8 @@ struct RayBatch::Impl {
     void fillBlocks(const std::vector<glm::vec4>& texels) {
         const std::vector<std::byte> zeroes(kFrameBytes);
         glBindBuffer(GL_UNIFORM_BUFFER, frame.get());
-        glBufferData(GL_UNIFORM_BUFFER, kFrameBytes, zeroes.data(), GL_STATIC_DRAW);
+        glBufferData(GL_UNIFORM_BUFFER, kFrameBytes, zeroes.data(), GL_DYNAMIC_DRAW);
+        setRepeats(1);
         glBindBuffer(GL_UNIFORM_BUFFER, scene.get());
         glBufferData(GL_UNIFORM_BUFFER, GLsizeiptr(texels.size() * sizeof texels[0]), texels.data(), GL_STATIC_DRAW);
         glUseProgram(program.get());
@@ -59,7 +62,10 @@ struct RayBatch::Impl {
         glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kWidth, rows, GL_RGBA, GL_FLOAT, texels.data());
     }
 
-    void draw(std::span<const BatchRay> rays, int rows) {
+    static int rowsOf(std::span<const BatchRay> rays) { return int((rays.size() + kWidth - 1) / kWidth); }
+
+    void uploadRays(std::span<const BatchRay> rays) {
+        const int rows = rowsOf(rays);
         std::vector<glm::vec4> origin(std::size_t(kWidth) * rows), direction(origin.size(), glm::vec4(0, 0, 1, 0));
         for (std::size_t i = 0; i < rays.size(); ++i) {
             origin[i] = glm::vec4(rays[i].origin, rays[i].side);
@@ -67,6 +73,15 @@ struct RayBatch::Impl {
         }
         upload(kOrigins, origins, origin, rows);
         upload(kDirections, directions, direction, rows);
+    }
+
+    void setRepeats(GLint repeats) {
+        glBindBuffer(GL_UNIFORM_BUFFER, frame.get());
+        glBufferSubData(GL_UNIFORM_BUFFER, kRepeatsAt, sizeof repeats, &repeats);
+    }
+
+    /// Intersects the rays uploaded last.
+    void draw(int rows) {
         glBindVertexArray(vertexArray.get());
         glUseProgram(program.get());
         glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, frame.get());
@@ -86,12 +101,35 @@ struct RayBatch::Impl {
     }
 
     void trace(std::span<const BatchRay> rays, std::vector<BatchHit>& hits) {
-        const int rows = int(rays.size() + kWidth - 1) / kWidth;
-        draw(rays, rows);
+        const int rows = rowsOf(rays);
+        uploadRays(rays);
+        draw(rows);
         const auto hit = read(0, rows), point = read(1, rows), normal = read(2, rows);
         for (std::size_t i = 0; i < rays.size(); ++i)
             hits.push_back({int(hit[i].y), hit[i].x, glm::vec3(point[i]), glm::vec3(normal[i])});
         glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    }
+
+    /// Until all pixels drawn so far are there: a pixel read back waits on every GL, in browsers too.
+    static void wait() {
+        glm::vec4 pixel;
+        glReadBuffer(GL_COLOR_ATTACHMENT0);
+        glReadPixels(0, 0, 1, 1, GL_RGBA, GL_FLOAT, &pixel);
+    }
+
+    double seconds(std::span<const BatchRay> rays, int repeats, double (*clock)()) {
+        const int rows = rowsOf(rays);
+        uploadRays(rays);
+        draw(rows); // once before: some drivers compile and upload at the first draw
+        wait();
+        setRepeats(repeats);
+        const double start = clock();
+        draw(rows);
+        wait();
+        const double taken = clock() - start;
+        setRepeats(1);
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        return taken;
     }
 };
 
@@ -121,10 +159,16 @@ RayBatch::~RayBatch() = default;
 std::vector<BatchHit> RayBatch::trace(std::span<const BatchRay> rays) {
     std::vector<BatchHit> hits;
     hits.reserve(rays.size());
-    constexpr std::size_t kMost = std::size_t(kWidth) * kMostRows;
     for (std::size_t from = 0; from < rays.size(); from += kMost)
         impl_->trace(rays.subspan(from, std::min(kMost, rays.size() - from)), hits);
     return hits;
+}
+
+double RayBatch::seconds(std::span<const BatchRay> rays, int repeats, double (*clock)()) {
+    double sum = 0;
+    for (std::size_t from = 0; from < rays.size(); from += kMost)
+        sum += impl_->seconds(rays.subspan(from, std::min(kMost, rays.size() - from)), repeats, clock);
+    return sum;
 }
 
 } // namespace gnomon

@@ -2,6 +2,7 @@
 /// measured.
 #pragma once
 
+#include "tracer/clock.h"
 #include "tracer/problem.h"
 #include "tracer/scene/scene.h"
 #include "tracer/shader/library.h"
@@ -30,13 +31,19 @@ struct BatchHit {
 class RayBatch {
   public:
     /// Compiles the intersectors of the scene's shapes in the current context. valid() is false, with problems, where
-    /// that fails or the context cannot draw float32. `overrides` take the place of library files of the same name.
+    /// that fails or the context cannot draw float32.
+    /// `overrides` take the place of shader files of the same name, as for buildShader().
     RayBatch(const Scene&, Problems&, std::span<const ShaderFile> overrides = {});
     ~RayBatch();
     bool valid() const { return impl_ != nullptr; }
 
     /// One answer a ray, in order.
     std::vector<BatchHit> trace(std::span<const BatchRay>);
+
+    /// Seconds that intersecting every ray `repeats` times takes from asking the GPU to its answer, without compiling,
+    /// upload or read-back. `clock` counts seconds: for a GL in software the CPU time of the process says more on a
+    /// busy machine.
+    double seconds(std::span<const BatchRay>, int repeats, double (*clock)() = monotonicSeconds);
 
   private:
     struct Impl;

@@ -30,7 +30,7 @@ void bindInterface(const CachedProgram& entry) {
 std::shared_ptr<CachedProgram> ProgramCache::get(const Features& features, Problems& problems) {
     const double start = monotonicSeconds();
     Problems faults;
-    ShaderSource source = buildShader("pass/trace.frag", features, faults);
+    ShaderSource source = buildShader("pass/trace.frag", features, faults, overrides_);
     const ShaderSource canvas = buildCanvas(features, faults);
     if (!faults.empty()) {
         problems.insert(problems.end(), faults.begin(), faults.end());

@@ -8,7 +8,9 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
+#include <vector>
 
 namespace gnomon {
 
@@ -29,7 +31,9 @@ struct CachedProgram {
 
 class ProgramCache {
   public:
-    explicit ProgramCache(bool pollable) : pollable_(pollable) {}
+    /// `overrides` as for buildShader(); their names and texts must outlive the cache.
+    explicit ProgramCache(bool pollable, std::span<const ShaderFile> overrides = {})
+        : pollable_(pollable), overrides_(overrides.begin(), overrides.end()) {}
 
     /// The program for the features, begun where it is new. Null, with problems, where the library itself is at fault.
     std::shared_ptr<CachedProgram> get(const Features&, Problems&);
@@ -42,6 +46,7 @@ class ProgramCache {
 
   private:
     bool pollable_;
+    std::vector<ShaderFile> overrides_;
     std::map<std::string, std::shared_ptr<CachedProgram>> programs_;
 };
 

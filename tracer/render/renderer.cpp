@@ -85,7 +85,7 @@ struct Renderer::Impl {
     gl::Info info = gl::info();
     std::map<std::string, Image> pictures; // kept, so that a lost context can be filled again
     Settings settings;
-    ProgramCache programs{info.parallelCompile};
+    ProgramCache programs;
     gl::VertexArray vertexArray;
     gl::Buffer frameBuffer, sceneBuffer;
     gl::Texture sceneTexture;
@@ -100,7 +100,7 @@ struct Renderer::Impl {
     Settings drawnSettings;
     Problems pending; // found while choosing a program, told by the next poll()
 
-    Impl() { makeObjects(); }
+    explicit Impl(std::span<const ShaderFile> overrides) : programs(info.parallelCompile, overrides) { makeObjects(); }
 
     void makeObjects() {
         vertexArray = gl::makeVertexArray();
@@ -327,7 +327,7 @@ struct Renderer::Impl {
     }
 };
 
-Renderer::Renderer() : impl_(std::make_unique<Impl>()) {}
+Renderer::Renderer(std::span<const ShaderFile> overrides) : impl_(std::make_unique<Impl>(overrides)) {}
 Renderer::~Renderer() = default;
 
 bool Renderer::setScene(const Scene& scene, Problems& problems) {

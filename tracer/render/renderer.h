@@ -10,8 +10,10 @@
 #include "tracer/render/camera.h"
 #include "tracer/render/settings.h"
 #include "tracer/scene/scene.h"
+#include "tracer/shader/library.h"
 
 #include <memory>
+#include <span>
 #include <string>
 
 namespace gnomon {
@@ -37,7 +39,9 @@ struct ProgramStats {
 
 class Renderer {
   public:
-    Renderer();
+    /// `overrides` take the place of shader files of the same name, as for buildShader(); their names and texts must
+    /// outlive the renderer.
+    explicit Renderer(std::span<const ShaderFile> overrides = {});
     ~Renderer();
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;

@@ -102,14 +102,18 @@ Lines linesOf(std::string_view file, std::string_view text) {
 
 class Builder {
   public:
-    Builder(const Features& features, Problems& problems, std::span<const ShaderFile> overrides)
-        : names_(namesOf(features)), problems_(problems), overrides_(overrides) {}
+    Builder(const Features& features, Problems& problems, std::span<const ShaderFile> overrides = {})
+        : names_(namesOf(features)), overrides_(overrides), problems_(problems) {
+        for (const ShaderFile& file : overrides)
+            if (!find(shaderLibrary(), file.name))
+                problem(file.name, 0, "an override of a file that the library does not have");
+    }
 
     void generate(const std::string& text) { emit(text, {"(generated)", 0}); }
 
     void include(std::string_view name, int depth = 0) {
-        const ShaderFile* found = fileIn(overrides_, name);
-        if (!found) found = fileIn(shaderLibrary(), name);
+        const ShaderFile* found = find(overrides_, name);
+        if (!found) found = find(shaderLibrary(), name);
         if (!found) return problem("(generated)", 0, "there is no shader file " + std::string(name));
         if (std::find(source_.modules.begin(), source_.modules.end(), found->name) != source_.modules.end()) return;
         source_.modules.push_back(found->name);
@@ -122,7 +126,7 @@ class Builder {
   private:
     using Substitutions = std::vector<Substitution>;
 
-    static const ShaderFile* fileIn(std::span<const ShaderFile> files, std::string_view name) {
+    static const ShaderFile* find(std::span<const ShaderFile> files, std::string_view name) {
         const auto found =
             std::find_if(files.begin(), files.end(), [&](const ShaderFile& file) { return file.name == name; });
         return found == files.end() ? nullptr : &*found;
@@ -237,8 +241,8 @@ class Builder {
 
     static constexpr int kDeepest = 16;
     Names names_;
-    Problems& problems_;
     std::span<const ShaderFile> overrides_;
+    Problems& problems_;
     ShaderSource source_;
 };
 

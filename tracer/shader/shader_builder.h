@@ -31,8 +31,8 @@ struct ShaderSource {
     std::vector<std::string_view> modules; ///< files included, in order
 };
 
-/// The fragment shader of entry point `pass`, as `pass/trace.frag`. `overrides` take the place of library files of the
-/// same name.
+/// The fragment shader of entry point `pass`, as `pass/trace.frag`. `overrides` take the place of the library's files
+/// of the same name, one that the library does not have is a problem; their names and texts must outlive the source.
 ShaderSource buildShader(std::string_view pass, const Features&, Problems&, std::span<const ShaderFile> overrides = {});
 /// The vertex shader that covers the canvas.
 ShaderSource buildCanvas(const Features&, Problems&);

@@ -1,0 +1,204 @@
+/// What exactness costs: the library's intersectors against the textbook ones of tests/naive, on llvmpipe.
+///
+/// Every figure is a ratio of two runs that follow one another, ours and the textbook's in turn, and the median of such
+/// ratios; time is the CPU time of the process with all its threads, which the GL in software runs in, so that what
+/// else the machine does weighs little. Rays go from a distance to points spread evenly in the bounding sphere, in no
+/// order: the eight rays that llvmpipe takes in lock step have nothing to do with each other.
+
+#include "tests/naive/naive.h"
+#include "tests/support/offscreen.h"
+#include "tests/support/scenes.h"
+#include "tracer/lab/ray_batch.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <functional>
+#include <random>
+
+namespace gnomon {
+namespace {
+
+using namespace test;
+
+/// One shape about the origin.
+struct Body {
+    const char *name, *json;
+    double size;  ///< radius of the bounding sphere
+    double bound; ///< cost over the textbook's
+};
+std::ostream& operator<<(std::ostream& out, const Body& body) { return out << body.name; }
+
+const Body kTorus{"torus",
+                  R"({"torus": {"center": [0, 0, 0], "axis": [0, 0, 1], "major_radius": 1, "minor_radius": 0.25}})",
+                  1.25, 2.5};
+const Body kBodies[] = {
+    {"sphere", R"({"sphere": {"center": [0, 0, 0], "radius": 1}})", 1, 4},
+    {"plane", R"({"plane": {"point": [0, 0, 0], "normal": [0, 1, 0]}})", 1, 4},
+    {"disc", R"({"disc": {"center": [0, 0, 0], "normal": [0, 0.6, 0.8], "radius": 1}})", 1, 4},
+    {"triangle", R"({"triangle": {"vertices": [[-1, -0.5, 0], [1, -0.5, 0.2], [0, 1, -0.2]]}})", 1.2, 4},
+    kTorus,
+    {"box", R"({"box": {"center": [0, 0, 0], "half_size": [0.6, 0.5, 0.6]}})", 1, 4},
+    {"cylinder", R"({"cylinder": {"from": [0, -0.8, 0.1], "to": [0, 0.8, -0.1], "radius": 0.6}})", 1, 4},
+    {"capsule", R"({"capsule": {"from": [-0.5, 0, 0.1], "to": [0.5, 0.2, 0], "radius": 0.4}})", 1, 4},
+    {"cone", R"({"cone": {"from": [0, -0.7, 0], "to": [0.1, 0.7, 0], "radius": 0.7}})", 1, 4},
+};
+
+Scene sceneOf(const Body& body) { return sceneFrom(std::string(R"({"objects": [)") + body.json + "]}"); }
+
+std::vector<BatchRay> raysInto(const Body& body, double distance, int count) {
+    std::mt19937_64 random(11);
+    std::uniform_real_distribution<double> number(0, 1);
+    const auto direction = [&] {
+        const double z = 2 * number(random) - 1, around = 6.283185307179586 * number(random), r = std::sqrt(1 - z * z);
+        return glm::dvec3(r * std::cos(around), r * std::sin(around), z);
+    };
+    std::vector<BatchRay> rays(std::size_t(count), BatchRay{});
+    for (BatchRay& ray : rays) {
+        const glm::dvec3 origin = distance * direction();
+        const glm::dvec3 target = body.size * std::cbrt(number(random)) * direction();
+        ray.origin = glm::vec3(origin);
+        ray.direction = glm::vec3(glm::normalize(target - origin));
+    }
+    return rays;
+}
+
+double cpuSeconds() {
+    timespec time{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+}
+
+struct Ratio {
+    double median = 0, low = 0, high = 0; ///< low and high: quarter and three quarters of the runs
+    double ours = 0;                      ///< seconds, median
+};
+
+Ratio ratioOf(const std::function<double()>& ours, const std::function<double()>& textbook) {
+    const int pairs = 11;
+    std::vector<double> ratios, times;
+    for (int i = 0; i < pairs; ++i) {
+        times.push_back(ours());
+        ratios.push_back(times.back() / textbook());
+    }
+    std::ranges::sort(ratios);
+    std::ranges::sort(times);
+    return {ratios[pairs / 2], ratios[pairs / 4], ratios[pairs - 1 - pairs / 4], times[pairs / 2]};
+}
+
+void print(const std::string& what, const Ratio& ratio, double each, const char* unit) {
+    std::printf("%-24s %.2f times the textbook's (half of the runs %.2f to %.2f), %.3g %s\n", what.c_str(),
+                ratio.median, ratio.low, ratio.high, ratio.ours * each, unit);
+}
+
+Ratio intersectCost(const Body& body, double distance) {
+    const int count = 512 * 64, repeats = 16;
+    Problems problems;
+    RayBatch ours(sceneOf(body), problems), textbook(sceneOf(body), problems, naiveShaders());
+    EXPECT_EQ(toString(problems), "");
+    if (!ours.valid() || !textbook.valid()) return {};
+    const std::vector<BatchRay> rays = raysInto(body, distance, count);
+    const Ratio ratio = ratioOf([&] { return ours.seconds(rays, repeats, cpuSeconds); },
+                                [&] { return textbook.seconds(rays, repeats, cpuSeconds); });
+    char what[64];
+    std::snprintf(what, sizeof what, "%s from %g units", body.name, distance);
+    print(what, ratio, 1e9 / (double(count) * repeats), "ns a ray");
+    return ratio;
+}
+
+class Cost : public testing::TestWithParam<Body> {};
+
+// The torus must stay within 2.5 times the closed form's time, the others within a generous 4: a bound against
+// accidents.
+TEST_P(Cost, StaysWithinItsBoundOfTheTextbooks) {
+    offscreen();
+    for (const double distance : {3.0, 10.0}) EXPECT_LE(intersectCost(GetParam(), distance).median, GetParam().bound);
+}
+
+// Right near by, or it would be no baseline: hit or miss, and t within 1e-3, for 99 of 100 rays.
+TEST_P(Cost, ComparesWithATextbookThatAgreesFromThreeUnits) {
+    offscreen();
+    Problems problems;
+    RayBatch ours(sceneOf(GetParam()), problems), textbook(sceneOf(GetParam()), problems, naiveShaders());
+    ASSERT_TRUE(ours.valid() && textbook.valid()) << toString(problems);
+    const std::vector<BatchRay> rays = raysInto(GetParam(), 3, 100000);
+    const std::vector<BatchHit> a = ours.trace(rays), b = textbook.trace(rays);
+    int alike = 0, hits = 0;
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+        const bool hit = a[i].object >= 0;
+        const bool same = glm::distance(a[i].point, b[i].point) < 1e-3f && glm::dot(a[i].normal, b[i].normal) > 0.99f;
+        hits += hit;
+        alike += hit == (b[i].object >= 0) && (!hit || (std::abs(a[i].t - b[i].t) < 1e-3f && same));
+    }
+    std::printf("%-10s %d of 100000 rays hit, %d answered alike\n", GetParam().name, hits, alike);
+    EXPECT_GE(hits, 20000);
+    EXPECT_GE(alike, 99000);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, Cost, testing::ValuesIn(kBodies),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+// Four times the repeats take about four times as long, so that no work is shared between them; more rays than one draw
+// takes are timed all; and what the batch answers afterwards is what it answered before.
+TEST(RayBatch, TimesEveryRepeatOfEveryRay) {
+    offscreen();
+    Problems problems;
+    RayBatch batch(sceneOf(kTorus), problems);
+    ASSERT_TRUE(batch.valid()) << toString(problems);
+    const std::vector<BatchRay> few = raysInto(kTorus, 3, 512 * 64), many = raysInto(kTorus, 3, 512 * 600);
+    const std::vector<BatchHit> before = batch.trace(few);
+    const Ratio repeats =
+        ratioOf([&] { return batch.seconds(few, 32, cpuSeconds); }, [&] { return batch.seconds(few, 8, cpuSeconds); });
+    const Ratio rays =
+        ratioOf([&] { return batch.seconds(many, 2, cpuSeconds); }, [&] { return batch.seconds(few, 2, cpuSeconds); });
+    EXPECT_NEAR(repeats.median, 4, 1);
+    EXPECT_NEAR(rays.median, 600.0 / 64, 3);
+    const std::vector<BatchHit> after = batch.trace(few);
+    for (std::size_t i = 0; i < few.size(); ++i) {
+        ASSERT_EQ(before[i].object, after[i].object);
+        ASSERT_EQ(before[i].t, after[i].t);
+        ASSERT_EQ(before[i].point, after[i].point);
+    }
+}
+
+// What the cost buys: the closed form's float32 quartic answers one ray of ten and more wrongly from 100 units away.
+TEST(CostOfTheTorus, IsNotPaidForNothing) {
+    offscreen();
+    Problems problems;
+    RayBatch ours(sceneOf(kTorus), problems), textbook(sceneOf(kTorus), problems, naiveShaders());
+    ASSERT_TRUE(ours.valid() && textbook.valid()) << toString(problems);
+    for (const double distance : {3.0, 10.0, 30.0, 100.0}) {
+        const std::vector<BatchRay> rays = raysInto(kTorus, distance, 100000);
+        const std::vector<BatchHit> a = ours.trace(rays), b = textbook.trace(rays);
+        int wrong = 0;
+        for (std::size_t i = 0; i < rays.size(); ++i)
+            wrong += (a[i].object < 0) != (b[i].object < 0) || (a[i].object >= 0 && std::abs(a[i].t - b[i].t) > 0.05f);
+        std::printf("torus from %g units: the textbook's answer differs for %d of 100000 rays\n", distance, wrong);
+        if (distance >= 100) EXPECT_GT(wrong, 10000);
+    }
+}
+
+// The whole frame of the scene `torus`, shadows and reflections and all.
+TEST(CostOfTheTorus, IsLittleOfAFrame) {
+    offscreen();
+    const auto torus = std::ranges::find(naiveShaders(), std::string_view("primitive/torus.glsl"), &ShaderFile::name);
+    ASSERT_NE(torus, naiveShaders().end());
+    Settings settings;
+    settings.size = {320, 240};
+    const Scene scene = sceneNamed("torus");
+    Drawing ours(scene, settings), textbook(scene, settings, {&*torus, 1});
+    const auto frame = [](Drawing& drawing) {
+        const double start = cpuSeconds();
+        drawing.picture();
+        return cpuSeconds() - start;
+    };
+    frame(ours), frame(textbook); // compiles for this target
+    const Ratio ratio = ratioOf([&] { return frame(ours); }, [&] { return frame(textbook); });
+    print("frame of `torus`", ratio, 1e3, "ms");
+    EXPECT_LE(ratio.median, 1.3);
+}
+
+} // namespace
+} // namespace gnomon
