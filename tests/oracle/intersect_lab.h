@@ -1,5 +1,5 @@
-/// The measurements of `gnomon lab intersect`: the shader's intersectors beside the textbook's, for every shape, class of
-/// rays and distance.
+/// The measurements of `gnomon lab intersect`: the shader's intersectors beside the textbook's, for every shape, class
+/// of rays and distance.
 #pragma once
 
 #include "tests/oracle/judge.h"

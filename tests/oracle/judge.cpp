@@ -42,7 +42,7 @@ Scale scaleOf(const Body<double>& body, const Line<double>& line, const ExactHit
     const bool sizeless = body.kind() == ShapeKind::Plane, sheared = body.kind() == ShapeKind::Triangle;
     Scale scale;
     scale.bend = body.bend(exact.point);
-    scale.band = sizeless || sheared ? away : size;
+    scale.band = sizeless || sheared ? away : std::max(size, away / 16384);
     scale.distance = std::max({double(exact.t), 3 * size, sizeless ? away : 0});
     if (sheared) scale.distance *= size / scale.bend;
     const Vec3<long double> middle = body.middle();
