@@ -14,6 +14,7 @@
 #include <cstdio>
 #include <ctime>
 #include <memory>
+#include <unistd.h>
 
 namespace gnomon {
 
@@ -39,7 +40,10 @@ std::string commandOf(const LabOptions& options) {
 }
 
 std::atomic<bool> interrupted{false};
-extern "C" void interrupt(int) { interrupted = true; }
+extern "C" void interrupt(int) {
+    interrupted = true;
+    std::signal(SIGINT, SIG_DFL); // once more ends the program
+}
 
 /// CPU time of all threads: a GL in software is measured by it even on a busy machine.
 double processSeconds() {
@@ -57,7 +61,7 @@ void printRow(const oracle::IntersectRow& row) {
     const oracle::IntersectCell& cell = row.cell;
     std::printf("%-9s %-8s %-8s %7.0f %7lld %5lld %9.2g %8.2f %8.2f %8.2f %10lld %6.2f\n",
                 std::string(cell.subject.shape).c_str(), std::string(cell.subject.proportion).c_str(),
-                std::string(nameOf(cell.kind)).c_str(), cell.distance, (long long)row.ours.decided,
+                std::string(raysOf(cell)).c_str(), cell.distance, (long long)row.ours.decided,
                 (long long)row.ours.wrong(), row.ours.t.most, row.ours.ray.worst, row.ours.point.worst,
                 row.ours.normal.worst, (long long)(row.naive.missed + row.naive.invented), row.cost.median);
     std::fflush(stdout);
@@ -65,6 +69,7 @@ void printRow(const oracle::IntersectRow& row) {
 
 /// What is left to do, on a line of its own where people look on.
 void printProgress(std::size_t done, std::size_t all, double started) {
+    if (!isatty(STDERR_FILENO)) return;
     const double left = (monotonicSeconds() - started) / double(std::max<std::size_t>(done, 1)) * double(all - done);
     std::fprintf(stderr, "\r%zu of %zu, %.0f s left  \r", done, all, left);
 }

@@ -1,5 +1,7 @@
 #include "tests/oracle/intersect_lab.h"
 
+#include "tests/oracle/fan.h"
+
 #include <algorithm>
 
 namespace gnomon::oracle {
@@ -7,15 +9,28 @@ namespace {
 
 constexpr int kPairs = 5;
 
-Scene sceneOf(const Shape& shape) {
+Scene sceneOf(const std::vector<Shape>& shapes) {
     Scene scene;
     scene.materials.resize(1);
-    scene.objects.resize(1);
-    scene.objects[0].shape = shape;
+    scene.objects.resize(shapes.size());
+    for (std::size_t i = 0; i < shapes.size(); ++i) scene.objects[i].shape = shapes[i];
     return scene;
 }
 
 bool same(const Shape& a, const Shape& b) { return a.kind == b.kind && a.texels == b.texels; }
+
+bool same(const std::vector<Shape>& a, const std::vector<Shape>& b) {
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                      [](const Shape& x, const Shape& y) { return same(x, y); });
+}
+
+/// Every ray through a shared edge has to meet something: where, is as near as float32 can aim.
+Tally leaksOf(const std::vector<BatchHit>& answers) {
+    Tally tally;
+    tally.rays = tally.decided = std::int64_t(answers.size());
+    for (const BatchHit& answer : answers) ++(answer.object < 0 ? tally.missed : tally.hits);
+    return tally;
+}
 
 /// Repeats that make a draw long enough for the clock, about a tenth of a second for the slower of the two.
 int repeatsFor(double once) { return std::clamp(int(0.03 / std::max(once, 1e-5)), 1, 64); }
@@ -32,37 +47,55 @@ Ratio costOf(RayBatch& ours, RayBatch& naive, std::span<const BatchRay> rays, do
 } // namespace
 
 struct IntersectLab::Pair {
-    Shape shape;
+    std::vector<Shape> shapes;
     RayBatch ours, naive;
 
-    Pair(const Shape& placed, std::span<const ShaderFile> overrides, Problems& problems)
-        : shape(placed), ours(sceneOf(placed), problems), naive(sceneOf(placed), problems, overrides) {}
+    Pair(const std::vector<Shape>& placed, std::span<const ShaderFile> overrides, Problems& problems)
+        : shapes(placed), ours(sceneOf(placed), problems), naive(sceneOf(placed), problems, overrides) {}
 };
 
 IntersectLab::IntersectLab(std::span<const ShaderFile> naive, double (*clock)()) : naive_(naive), clock_(clock) {}
 IntersectLab::~IntersectLab() = default;
 
+std::string_view raysOf(const IntersectCell& cell) { return cell.kind ? nameOf(*cell.kind) : "edges"; }
+
 std::vector<IntersectCell> intersectCells(const std::vector<std::string>& shapes,
                                           const std::vector<double>& distances) {
     std::vector<IntersectCell> cells;
-    for (const Subject& subject : subjects())
+    for (const Subject& subject : subjects()) {
+        if (!shapes.empty() && std::find(shapes.begin(), shapes.end(), subject.shape) == shapes.end()) continue;
         for (const RayClass kind : kRayClasses)
             for (const double distance : distances)
-                if (fits(kind, subject) &&
-                    (shapes.empty() || std::find(shapes.begin(), shapes.end(), subject.shape) != shapes.end()))
-                    cells.push_back({subject, kind, distance});
+                if (fits(kind, subject)) cells.push_back({subject, kind, distance});
+        if (subject.name() == "trianglefat")
+            for (const double distance : distances) cells.push_back({subject, {}, distance});
+    }
     return cells;
 }
 
+bool IntersectLab::prepare(const std::vector<Shape>& shapes, Problems& problems) {
+    if (!pair_ || !same(pair_->shapes, shapes)) pair_ = std::make_unique<Pair>(shapes, naive_, problems);
+    return pair_->ours.valid() && pair_->naive.valid();
+}
+
 bool IntersectLab::measure(const IntersectCell& cell, int rays, IntersectRow& row, Problems& problems) {
-    const Shape shape = placed(cell.subject, cell.kind, cell.distance);
-    if (!pair_ || !same(pair_->shape, shape)) pair_ = std::make_unique<Pair>(shape, naive_, problems);
-    if (!pair_->ours.valid() || !pair_->naive.valid()) return false;
-    RayStream stream(shape, cell.kind, cell.distance, 3);
     std::vector<BatchRay> asked(std::size_t(rays), BatchRay{});
-    for (BatchRay& ray : asked) ray = stream.next();
-    row = {cell, judgeAll(shape, asked, pair_->ours.trace(asked)), judgeAll(shape, asked, pair_->naive.trace(asked)),
-           costOf(pair_->ours, pair_->naive, asked, clock_)};
+    row.cell = cell;
+    if (!cell.kind) {
+        Fan fan(glm::dvec3(0.3, -0.7, 1.1));
+        if (!prepare(fan.triangles(), problems)) return false;
+        for (BatchRay& ray : asked) ray = fan.next(cell.distance);
+        row.ours = leaksOf(pair_->ours.trace(asked));
+        row.naive = leaksOf(pair_->naive.trace(asked));
+    } else {
+        const Shape shape = placed(cell.subject, *cell.kind, cell.distance);
+        if (!prepare({shape}, problems)) return false;
+        RayStream stream(shape, *cell.kind, cell.distance, 3);
+        for (BatchRay& ray : asked) ray = stream.next();
+        row.ours = judgeAll(shape, asked, pair_->ours.trace(asked));
+        row.naive = judgeAll(shape, asked, pair_->naive.trace(asked));
+    }
+    row.cost = costOf(pair_->ours, pair_->naive, asked, clock_);
     return true;
 }
 
@@ -108,7 +141,7 @@ Table intersectTable(const std::vector<IntersectRow>& rows) {
         };
         std::vector<Cell> cells{std::string(row.cell.subject.shape),
                                 std::string(row.cell.subject.proportion),
-                                std::string(nameOf(row.cell.kind)),
+                                std::string(raysOf(row.cell)),
                                 row.cell.distance,
                                 double(ours.rays),
                                 double(ours.decided),
