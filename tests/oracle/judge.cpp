@@ -29,7 +29,7 @@ Bounds boundsOf(ShapeKind kind) {
     case ShapeKind::Cone: return {0x1p-21, 1.5, 2, 2};
     case ShapeKind::Disc: return {0x1p-22, 1.5, 2, 1};
     case ShapeKind::Plane: return {0x1p-22, 4, 2, 1};
-    case ShapeKind::Triangle: return {0x1p-22, 6, 2, 1};
+    case ShapeKind::Triangle: return {0x1p-22, 1.5, 2, 1};
     }
     return {};
 }
@@ -39,12 +39,12 @@ namespace {
 Scale scaleOf(const Body<double>& body, const Line<double>& line, const ExactHit<double>& exact,
               const Vec3<double>& p) {
     const double size = body.size(), away = std::abs(line.start) + length(line.p) + size;
-    const bool sizeless = body.kind() == ShapeKind::Plane, sheared = body.kind() == ShapeKind::Triangle;
+    const bool sizeless = body.kind() == ShapeKind::Plane;
     Scale scale;
     scale.bend = body.bend(exact.point);
-    scale.band = sizeless || sheared ? away : std::max(size, away / 16384);
+    scale.band = sizeless ? away : std::max(size, away / 16384);
     scale.distance = std::max({double(exact.t), 3 * size, sizeless ? away : 0});
-    if (sheared) scale.distance *= size / scale.bend;
+    if (body.kind() == ShapeKind::Triangle) scale.distance *= size / scale.bend;
     const Vec3<long double> middle = body.middle();
     const double written = double(std::max({std::abs(middle.x), std::abs(middle.y), std::abs(middle.z)}));
     scale.rounding = 0x1p-23 * (written + size + (sizeless ? length(p) : 0));

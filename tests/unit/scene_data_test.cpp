@@ -52,13 +52,27 @@ TEST_P(SceneData, PacksEveryShapeWhereItsConstantsSay) {
         const std::string name = "k" + std::string(shapeRow(kind.kind).type);
         for (int i = 0; i < kind.count; ++i) {
             const int index = int(texels[at["kObjectBase"] + at[name + "First"] + i].y);
-            for (int k = 0; k < at[name + "Texels"]; ++k)
-                EXPECT_EQ(texels[at[name + "Base"] + i * at[name + "Texels"] + k], glm::vec4(shapes[index].texels[k]));
+            for (int k = 0; k < at[name + "Texels"]; ++k) {
+                const glm::vec4 packed = texels[at[name + "Base"] + i * at[name + "Texels"] + k];
+                const glm::vec4 told(shapes[index].texels[k]);
+                EXPECT_EQ(glm::vec3(packed), glm::vec3(told));
+                if (kind.kind != ShapeKind::Triangle) EXPECT_EQ(packed.w, told.w); // else the middle of all
+            }
         }
     }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, SceneData, testing::Values("lite", "pro", "torus", "shapes"));
+
+TEST(SceneData, TellsEveryTriangleTheMiddleOfAll) {
+    const Scene scene = sceneFrom(R"({"objects": [{"triangle": {"vertices": [[0, 0, 0], [1, 0, 0], [0, 2, 0]]}},
+        {"sphere": {"center": [90, 90, 90], "radius": 1}}, {"triangle": {"vertices": [[5, 0, -8], [6, 0, 0], [5, 2, 0]]}}]})");
+    const Features features = featuresOf(scene, {}, 1024, true);
+    const auto texels = packScene(scene, features, 0);
+    const int base = constants(features)["kTriangleBase"];
+    for (const int triangle : {0, 1})
+        for (int i = 0; i < 3; ++i) EXPECT_EQ(texels[base + 3 * triangle + i].w, glm::vec3(3, 1, -4)[i]);
+}
 
 TEST(SceneDataOfLite, GivesGoldTheReflectanceOfTheSource) {
     const Scene scene = sceneNamed("lite");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace gnomon {
 namespace {
@@ -59,6 +60,19 @@ void packMaterial(const Material& m, const std::vector<std::string>& images, dou
                 placement(m.texture, time), placement(m.normalMap, time), glm::vec4(optics.mask, 0, 0, 0)});
 }
 
+/// Into the free components of every triangle goes the middle of the box about all of them: rays are re-centred on it.
+void noteMiddleOfTriangles(std::vector<Shape>& shapes) {
+    glm::dvec3 low(std::numeric_limits<double>::infinity()), high(-low);
+    for (const Shape& shape : shapes)
+        for (int i = 0; shape.kind == ShapeKind::Triangle && i < 3; ++i) {
+            low = glm::min(low, glm::dvec3(shape.texels[std::size_t(i)]));
+            high = glm::max(high, glm::dvec3(shape.texels[std::size_t(i)]));
+        }
+    const glm::dvec3 middle = 0.5 * (low + high);
+    for (Shape& shape : shapes)
+        for (int i = 0; shape.kind == ShapeKind::Triangle && i < 3; ++i) shape.texels[std::size_t(i)].w = middle[i];
+}
+
 int texelsOf(const Scene& scene, const std::vector<ShapeKind>& kinds) {
     int texels = int(scene.materials.size()) * kMaterialTexels + int(scene.lights.size()) * kLightTexels;
     for (const ShapeKind kind : kinds) texels += shapeRow(kind).texels + 1;
@@ -103,7 +117,8 @@ std::vector<glm::vec4> packScene(const Scene& scene, const Features& features, d
 }
 
 std::vector<glm::vec4> packScene(const Scene& scene, const Features& features, double time, glm::dvec3 eye) {
-    const std::vector<Shape> shapes = shapesAt(scene, time);
+    std::vector<Shape> shapes = shapesAt(scene, time);
+    noteMiddleOfTriangles(shapes);
     const std::vector<ShapeKind> kinds = drawnKinds(scene);
     const std::vector<int> order = shaderOrder(scene, kinds);
     const std::vector<std::string> images = imageSlots(scene);
