@@ -56,7 +56,9 @@ TEST_P(SceneData, PacksEveryShapeWhereItsConstantsSay) {
                 const glm::vec4 packed = texels[at[name + "Base"] + i * at[name + "Texels"] + k];
                 const glm::vec4 told(shapes[index].texels[k]);
                 EXPECT_EQ(glm::vec3(packed), glm::vec3(told));
-                if (kind.kind != ShapeKind::Triangle) EXPECT_EQ(packed.w, told.w); // else the middle of all
+                if (kind.kind != ShapeKind::Triangle) {
+                    EXPECT_EQ(packed.w, told.w); // else the middle of all
+                }
             }
         }
     }
@@ -65,7 +67,7 @@ TEST_P(SceneData, PacksEveryShapeWhereItsConstantsSay) {
 INSTANTIATE_TEST_SUITE_P(Scenes, SceneData, testing::Values("lite", "pro", "torus", "shapes"));
 
 TEST(SceneData, TellsEveryTriangleTheMiddleOfAll) {
-    const Scene scene = sceneFrom(R"({"objects": [{"triangle": {"vertices": [[0, 0, 0], [1, 0, 0], [0, 2, 0]]}},
+    const Scene scene = test::sceneFrom(R"({"objects": [{"triangle": {"vertices": [[0, 0, 0], [1, 0, 0], [0, 2, 0]]}},
         {"sphere": {"center": [90, 90, 90], "radius": 1}}, {"triangle": {"vertices": [[5, 0, -8], [6, 0, 0], [5, 2, 0]]}}]})");
     const Features features = featuresOf(scene, {}, 1024, true);
     const auto texels = packScene(scene, features, 0);
