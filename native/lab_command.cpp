@@ -131,9 +131,10 @@ int labIntersect(const LabOptions& options) {
         printProgress(rows.size(), cells.size(), started);
         if (interrupted) break;
     }
+    std::printf("\n%s\n", toMarkdown(oracle::intersectSummary(rows)).c_str());
     std::printf("%lld of %lld decided rays wrong%s\n", (long long)wrong, (long long)decided,
                 interrupted ? "; interrupted: what is done is kept" : "");
-    results.tables.push_back(oracle::intersectTable(rows));
+    results.tables = {oracle::intersectSummary(rows), oracle::intersectTable(rows)};
     const ExitCode code = writeResults(options, results, problems);
     return code == kDone ? kDone : fail(code, problems);
 }

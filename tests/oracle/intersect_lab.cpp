@@ -99,6 +99,65 @@ bool IntersectLab::measure(const IntersectCell& cell, int rays, IntersectRow& ro
     return true;
 }
 
+namespace {
+
+/// All rows of one body.
+struct Summary {
+    std::int64_t decided = 0, wrong = 0;
+    double margin = 0, ray = 0, point = 0, normal = 0;
+    std::vector<double> costs;                             ///< of uniform rays
+    std::int64_t naiveWrong[2] = {}, naiveDecided[2] = {}; ///< uniform, grazing
+
+    void add(const IntersectRow& row) {
+        decided += row.ours.decided;
+        wrong += row.ours.wrong();
+        margin = std::max(margin, row.ours.worstMargin * 0x1p24);
+        ray = std::max(ray, row.ours.ray.worst);
+        point = std::max(point, row.ours.point.worst);
+        normal = std::max(normal, row.ours.normal.worst);
+        if (row.cell.kind == RayClass::Uniform) costs.push_back(row.cost.median);
+        for (const int i : {0, 1})
+            if (row.cell.kind == (i == 0 ? RayClass::Uniform : RayClass::Grazing)) {
+                naiveWrong[i] += row.naive.missed + row.naive.invented;
+                naiveDecided[i] += row.naive.decided;
+            }
+    }
+    Cell naiveShare(int i) const {
+        if (naiveDecided[i] == 0) return {};
+        return 100.0 * double(naiveWrong[i]) / double(naiveDecided[i]);
+    }
+};
+
+} // namespace
+
+Table intersectSummary(const std::vector<IntersectRow>& rows) {
+    Table table{"summary", "Every body, over all rays and distances", {}, {}};
+    table.columns = {
+        {"body", "body", "", "Shape and proportion"},
+        {"decided", "decided rays", "", "Far enough from tangency that float32 has to be right"},
+        {"wrong", "wrong", "", "Of the decided: missed, false hit, or elsewhere"},
+        {"margin", "farthest", "2^-24", "Of all decisions unlike the exact one: how far from tangency, in sizes"},
+        {"ray", "o + t d", "ulp", "Worst distance from the surface, in ulp at that distance"},
+        {"point", "point", "2^-23", "Worst distance of the surface point from the surface, in roundings"},
+        {"normal", "normal", "2^-23", "Worst error, as the turn of so many roundings of the point"},
+        {"naive_uniform", "textbook wrong, uniform", "%", "Missed and false hits of the textbook's formula"},
+        {"naive_grazing", "textbook wrong, grazing", "%", "The same, of grazing rays"},
+        {"cost", "cost", "textbook = 1", "Time of uniform rays: median over the distances"}};
+    std::vector<std::string> names;
+    for (const IntersectRow& row : rows)
+        if (names.empty() || names.back() != row.cell.subject.title()) names.push_back(row.cell.subject.title());
+    for (const std::string& name : names) {
+        Summary all;
+        for (const IntersectRow& row : rows)
+            if (row.cell.subject.title() == name) all.add(row);
+        std::sort(all.costs.begin(), all.costs.end());
+        const Cell cost = all.costs.empty() ? Cell{} : Cell(all.costs[all.costs.size() / 2]);
+        table.rows.push_back({name, double(all.decided), double(all.wrong), all.margin, all.ray, all.point, all.normal,
+                              all.naiveShare(0), all.naiveShare(1), cost});
+    }
+    return table;
+}
+
 Table intersectTable(const std::vector<IntersectRow>& rows) {
     Table table{"intersect", "Intersectors against the oracle", {}, {}};
     table.columns = {

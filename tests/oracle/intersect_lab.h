@@ -52,7 +52,9 @@ class IntersectLab {
     std::unique_ptr<Pair> pair_; ///< compiled for the last placed body
 };
 
-/// Every row, and the same rows' wrong decisions per shape and class. Charts to go with it.
+/// One row a body, over all classes and distances: what docs/numerics.md shows.
+Table intersectSummary(const std::vector<IntersectRow>&);
+/// Every row, and charts to go with it.
 Table intersectTable(const std::vector<IntersectRow>&);
 std::vector<Chart> intersectCharts();
 

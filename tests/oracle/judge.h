@@ -19,8 +19,8 @@ struct Bounds {
 Bounds boundsOf(ShapeKind);
 
 /// What float32 can be held to for one ray. A rounding is 2^-23 of the body's size and of the coordinates that its
-/// points are written in. A plane has no size and scales with the distance; the plane of a sliver of a triangle turns by
-/// a rounding over its height.
+/// points are written in. A plane has no size and scales with the distance; the plane of a sliver of a triangle turns
+/// by a rounding over its height.
 struct Scale {
     double band;     ///< the size; from more than 16 384 sizes away that part of the distance (ray/split.glsl says why)
     double distance; ///< whose ulp counts: of the hit, of three sizes at least

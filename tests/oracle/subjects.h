@@ -19,6 +19,9 @@ struct Subject {
     Shape body;
 
     std::string name() const { return std::string(shape) + std::string(proportion); }
+    std::string title() const {
+        return proportion.empty() ? std::string(shape) : std::string(shape) + ", " + std::string(proportion);
+    }
 };
 const std::vector<Subject>& subjects();
 

@@ -53,6 +53,25 @@ std::string toJson(const Results& results) {
     return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+std::string toMarkdown(const Table& table) {
+    std::string head = "|", rule = "|", text;
+    for (const Column& column : table.columns) {
+        head += " " + column.title + (column.unit.empty() ? "" : ", " + column.unit) + " |";
+        rule += "---|";
+    }
+    for (const auto& row : table.rows) {
+        text += "|";
+        for (const Cell& cell : row) {
+            const auto* number = std::get_if<double>(&cell);
+            char digits[40];
+            if (number) std::snprintf(digits, sizeof digits, *number == std::floor(*number) ? "%.0f" : "%.3g", *number);
+            text += " " + (number ? std::string(digits) : shown(cell)) + " |";
+        }
+        text += "\n";
+    }
+    return head + "\n" + rule + "\n" + text;
+}
+
 std::string shown(const Cell& cell) {
     if (const auto* text = std::get_if<std::string>(&cell)) return *text;
     const auto* number = std::get_if<double>(&cell);

@@ -50,6 +50,9 @@ struct Results {
 /// UTF-8 JSON of docs/results.md's format.
 std::string toJson(const Results&);
 
+/// The table as Markdown, numbers in two or three digits.
+std::string toMarkdown(const Table&);
+
 /// A number as a table shows it: four digits, no trailing zeros.
 std::string shown(const Cell&);
 
