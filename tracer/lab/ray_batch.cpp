@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kWidth = 512;                  // rays a row
 constexpr int kMostRows = 512;               // rows a draw
-constexpr GLsizeiptr kFrameBytes = 11 * 16;  // of the frame block, which the intersectors read only zeroes from
+constexpr GLsizeiptr kFrameBytes = 12 * 16;  // of the frame block, which the intersectors read only zeroes from
 constexpr int kOrigins = 0, kDirections = 1; // texture units
 
 } // namespace
