@@ -1,6 +1,7 @@
 // What changes from frame to frame: one uniform block, filled by the renderer (FrameBlock in tracer/render/renderer.cpp).
 //
-// eye, right, up, forward   camera in world space; right and up are scaled so that the canvas' edges lie at +-1
+// eye, right, up, forward   camera; right and up are scaled so that the canvas' edges lie at +-1
+// origin                    of all coordinates of the shader, in the world: originOf() in tracer/scene/scene.h
 // cone                      x: angle of one pixel in radians
 // background                where nothing is hit and there is no cube map
 // options                   x: rays with a smaller share of the picture are not followed
@@ -13,6 +14,7 @@ layout(std140) uniform Frame {
     vec4 right;
     vec4 up;
     vec4 forward;
+    vec4 origin;
     vec4 background;
     vec4 cone;
     vec4 options;

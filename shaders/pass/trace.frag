@@ -69,7 +69,8 @@ vec4 pixel(Ray ray) {
     }
     Surface surface = surfaceAt(object, ray, t);
 #if OUTPUT == POSITION
-    return vec4(shown ? fract(surface.point) : surface.point, 1.0);
+    // The origin's own fraction, since the sum has no more digits than its place in the world leaves.
+    return vec4(shown ? fract(fract(frame.origin.xyz) + surface.point) : frame.origin.xyz + surface.point, 1.0);
 #elif OUTPUT == NORMAL
     vec3 normal = dot(surface.normal, ray.direction) <= 0.0 ? surface.normal : -surface.normal;
     return vec4(shown ? 0.5 + 0.5 * normal : normal, 1.0);

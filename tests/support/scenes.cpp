@@ -21,4 +21,14 @@ Scene sceneFrom(const std::string& json) {
     return scene.value_or(Scene{});
 }
 
+Scene moved(Scene scene, glm::dvec3 by) {
+    for (Object& object : scene.objects)
+        // What moves around another object rests relative to it.
+        if (!object.motion || object.motion->around < 0) object.shape = translated(object.shape, by);
+    for (Light& light : scene.lights) std::get<PointLight>(light.shape).position += by;
+    scene.camera.eye += by;
+    scene.camera.target += by;
+    return scene;
+}
+
 } // namespace gnomon::test

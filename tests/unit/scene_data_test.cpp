@@ -3,11 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <map>
+#include <random>
+#include <string>
 
 namespace gnomon {
 namespace {
 
+using test::moved;
+using test::sceneFrom;
 using test::sceneNamed;
 
 std::map<std::string, int> constants(const Features& features) {
@@ -64,6 +69,28 @@ TEST_P(SceneData, PacksEveryShapeWhereItsConstantsSay) {
     }
 }
 
+// A scene relative to where it was moved to has the numbers it has at home, but for what its doubles lose on the way.
+TEST_P(SceneData, IsTheSameAboutItsOwnOriginWhereverItIs) {
+    const glm::dvec3 by(0x1p17, -0x1p18, 0x1p19);
+    const Scene there = moved(scene, by);
+    for (const double time : {0.0, 3.7}) {
+        const auto here = packScene(scene, features, time, scene.camera.eye, glm::dvec3(0));
+        const auto packed = packScene(there, features, time, there.camera.eye, by);
+        ASSERT_EQ(packed.size(), here.size());
+        for (std::size_t i = 0; i < here.size(); ++i)
+            for (int c = 0; c < 4; ++c)
+                ASSERT_NEAR(packed[i][c], here[i][c], 0x1p-23 * std::abs(here[i][c]) + 0x1p-32) << i << ' ' << c;
+    }
+}
+
+TEST_P(SceneData, IsInTheWorldsCoordinatesAtHome) {
+    const glm::dvec3 origin = originOf(scene);
+    EXPECT_EQ(origin, glm::dvec3(0));
+    for (int c = 0; c < 3; ++c) EXPECT_FALSE(std::signbit(origin[c]));
+    const auto packed = packScene(scene, features, 0, scene.camera.eye, origin);
+    EXPECT_EQ(packed, texels);
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, SceneData, testing::Values("lite", "pro", "torus", "shapes"));
 
 TEST(SceneData, TellsEveryTriangleTheMiddleOfAll) {
@@ -103,6 +130,94 @@ TEST(SceneDataOfLite, ReducesTextureMotionToOnePeriodAlsoAfterADay) {
         const double exact = use->scroll.x * day - std::floor(use->scroll.x * day);
         EXPECT_NEAR(placement.z, exact, 1e-6) << scene.materials[m].name;
     }
+}
+
+double largest(glm::dvec3 v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
+const char* const kBall = R"({"sphere": {"center": [0, 0, 0], "radius": 1}})";
+const char* const kGround = R"({"sphere": {"center": [0, -10001, 0], "radius": 10000}})";
+const char* const kFloor = R"({"plane": {"point": [0, -1, 0], "normal": [0, 1, 0]}})";
+
+/// Of these objects, seen from (0, 1, 5).
+Scene with(const std::string& objects) {
+    return sceneFrom(R"({"camera": {"eye": [0, 1, 5], "target": [0, 0, 0]}, "objects": [)" + objects + "]}");
+}
+std::string list(std::initializer_list<const char*> objects) {
+    std::string text;
+    for (const char* object : objects) text += (text.empty() ? "" : ", ") + std::string(object);
+    return text;
+}
+
+// A ground that is a globe or a plane says nothing of where the scene is, nor does the number of objects.
+TEST(Origin, IsNearTheSceneWhereverItIs) {
+    for (const glm::dvec3 by : {glm::dvec3(1e5, -1e5, 1e5), glm::dvec3(1e6, 0, 0), glm::dvec3(-123456.7, 89012.3, 1)})
+        for (const std::string& objects :
+             {std::string(kBall), list({kBall, kFloor}), list({kBall, kGround}), list({kFloor}), list({kGround}),
+              list({kBall, kBall, kBall, R"({"box": {"center": [4, 1, 0], "half_size": [1, 2, 1]}})"}),
+              list({R"({"triangle": {"vertices": [[0, 0, 0], [3, 0, 0], [0, 3, 0]]}})"})}) {
+            const glm::dvec3 origin = originOf(moved(with(objects), by));
+            EXPECT_LE(largest(by - origin), 64) << objects;
+            EXPECT_EQ(glm::fract(origin / 8.0), glm::dvec3(0)) << objects;
+            EXPECT_EQ(originOf(with(objects)), glm::dvec3(0)) << objects;
+        }
+}
+
+TEST(Origin, IsTheWorldsWithoutAnyObject) { EXPECT_EQ(originOf(Scene{}), glm::dvec3(0)); }
+
+TEST(Origin, IsFineForTheSmall) {
+    const double size = 1e-4;
+    Scene scene = with(R"({"sphere": {"center": [0, 0, 0], "radius": 0.0001}})");
+    scene.camera.eye *= size;
+    const glm::dvec3 by(100, -70, 3);
+    EXPECT_LE(largest(by - originOf(moved(scene, by))), 16 * size);
+}
+
+// What moves does not leave the origin behind: its whole way is part of the scene.
+TEST(Origin, IsTheWorldsWhereThingsMoveAsFarAsTheyAreAway) {
+    Scene scene = moved(with(list({kBall, kBall})), {1e5, 0, 0});
+    EXPECT_NE(originOf(scene), glm::dvec3(0));
+    scene.objects[1].motion = Orbit{{0, 6e4, 0}, {6e4, 0, 0}, 1, -1};
+    EXPECT_EQ(originOf(scene), glm::dvec3(0));
+}
+
+TEST(Origin, KnowsThatAMoonRestsRelativeToItsPlanet) {
+    Scene scene = with(list({kBall, kBall, kBall}));
+    scene.objects[0].motion = Orbit{{2, 0, 0}, {0, 2, 0}, 1, 1};
+    scene.objects[1].motion = Orbit{{0, 0, 3}, {0, 3, 0}, 1, 2};
+    const glm::dvec3 by(1e5, 2e5, 3e5);
+    EXPECT_LE(largest(by - originOf(moved(scene, by))), 128);
+}
+
+// One thing far away from where the picture is taken, as a sun: what is near the camera stays as it is.
+TEST(Origin, DoesNotFollowOneFarThing) {
+    for (const double far : {1e3, 65536.0, 9e5}) {
+        Scene scene = with(list({kFloor, R"({"sphere": {"center": [0, 0, 0], "radius": 50}})"}));
+        scene.objects[1].shape = translated(scene.objects[1].shape, {far, 0, 0});
+        EXPECT_EQ(originOf(scene), glm::dvec3(0)) << far;
+    }
+}
+
+// Neither the objects nor the eye get larger coordinates than in the world, in any scene.
+TEST(Origin, MakesNoCoordinateLarger) {
+    std::mt19937 random(1);
+    const auto number = [&] { return random() / 4294967296.0 * 2 - 1; };
+    const auto vector = [&] { return std::pow(10, 3 + 3 * number()) * glm::dvec3(number(), number(), number()); };
+    int away = 0;
+    for (int i = 0; i < 20000; ++i) {
+        Scene scene = with(list({kBall, kBall, kFloor}));
+        const glm::dvec3 about = vector();
+        for (Object& object : scene.objects) object.shape = translated(object.shape, about + 0.01 * vector());
+        scene.camera.eye = about + 0.01 * vector();
+        const glm::dvec3 origin = originOf(scene);
+        away += origin != glm::dvec3(0);
+        const auto fits = [&](glm::dvec3 p) { return glm::all(glm::lessThanEqual(glm::abs(p - origin), glm::abs(p))); };
+        ASSERT_TRUE(fits(scene.camera.eye) || origin == glm::dvec3(0));
+        const glm::dvec3 a = pointOf(scene.objects[0].shape, "center"), b = pointOf(scene.objects[1].shape, "center");
+        for (int c = 0; c < 3; ++c)
+            ASSERT_LE(std::max(std::abs(a[c] - origin[c]), std::abs(b[c] - origin[c])),
+                      std::max(std::abs(a[c]), std::abs(b[c])));
+    }
+    EXPECT_GT(away, 5000);
 }
 
 } // namespace

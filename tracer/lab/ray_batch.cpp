@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kWidth = 512;                 // rays a row
 constexpr int kMostRows = 512;              // rows a draw
-constexpr GLsizeiptr kFrameBytes = 11 * 16; // of the frame block (shaders/frame.glsl): all 0 but for limits.x
-constexpr GLintptr kRepeatsAt = 8 * 16;     // of limits.x
+constexpr GLsizeiptr kFrameBytes = 12 * 16; // of the frame block (shaders/frame.glsl): all 0 but for limits.x
+constexpr GLintptr kRepeatsAt = 9 * 16;     // of limits.x
 constexpr std::size_t kMost = std::size_t(kWidth) * kMostRows; // rays a draw
 constexpr int kOrigins = 0, kDirections = 1;                   // texture units
 

@@ -19,21 +19,23 @@ constexpr GLenum kSeamlessCubemap = 0x884F; // GL_TEXTURE_CUBE_MAP_SEAMLESS: alw
 
 /// shaders/frame.glsl, in std140.
 struct FrameBlock {
-    glm::vec4 eye, right, up, forward, background, cone, options, canvas;
+    glm::vec4 eye, right, up, forward, origin, background, cone, options, canvas;
     glm::ivec4 limits, channels;
     glm::uvec4 zero;
 };
 
-FrameBlock frameBlock(const View& view, const Scene& scene, const Settings& settings, bool encode) {
+/// `origin` is what the shader's coordinates are relative to.
+FrameBlock frameBlock(const View& view, const Scene& scene, glm::dvec3 origin, const Settings& settings, bool encode) {
     const CameraFrame camera = frameOf(view.camera);
     const double aspect = double(view.width) / view.height;
     const std::string_view channels = colorModes()[std::size_t(settings.colorMode)];
     const auto channel = [&](std::size_t i) { return int(std::string_view("rgb").find(channels[i])); };
     FrameBlock block{};
-    block.eye = glm::vec4(camera.eye, 0);
+    block.eye = glm::vec4(camera.eye - origin, 0);
     block.right = glm::vec4(camera.right * camera.halfHeight * aspect, 0);
     block.up = glm::vec4(camera.up * camera.halfHeight, 0);
     block.forward = glm::vec4(camera.forward, 0);
+    block.origin = glm::vec4(origin, 0);
     block.background = glm::vec4(scene.background.color, 1);
     block.cone.x = float(2 * camera.halfHeight / view.height);
     block.options.x = float(settings.threshold);
@@ -74,6 +76,7 @@ View scaled(View view, double scale) {
 /// the new one's program is ready.
 struct LoadedScene {
     Scene scene;
+    glm::dvec3 origin{0}; ///< originOf(scene)
     std::vector<std::string> slots, faces;
     std::vector<gl::Texture> images;
     gl::Texture sky;
@@ -210,8 +213,9 @@ struct Renderer::Impl {
 
     // --- drawing ----------------------------------------------------------------------------------------------------
 
-    void uploadScene(const CachedProgram& program, const Scene& scene, const View& view) {
-        std::vector<glm::vec4> texels = packScene(scene, program.features, view.time, view.camera.eye);
+    void uploadScene(const CachedProgram& program, const LoadedScene& loaded, const View& view) {
+        std::vector<glm::vec4> texels =
+            packScene(loaded.scene, program.features, view.time, view.camera.eye, loaded.origin);
         if (program.features.dataBlock) {
             glBindBuffer(GL_UNIFORM_BUFFER, sceneBuffer.get());
             glBufferData(GL_UNIFORM_BUFFER, GLsizeiptr(texels.size() * sizeof(glm::vec4)), texels.data(),
@@ -242,13 +246,13 @@ struct Renderer::Impl {
 
     void drawInto(GLuint framebuffer, const View& view, const CachedProgram& program, const LoadedScene& loaded,
                   const Settings& with, bool encode) {
-        const FrameBlock block = frameBlock(view, loaded.scene, with, encode);
+        const FrameBlock block = frameBlock(view, loaded.scene, loaded.origin, with, encode);
         glBindVertexArray(vertexArray.get());
         glUseProgram(program.program.get());
         glBindBuffer(GL_UNIFORM_BUFFER, frameBuffer.get());
         glBufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_DYNAMIC_DRAW);
         glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, frameBuffer.get());
-        uploadScene(program, loaded.scene, view);
+        uploadScene(program, loaded, view);
         bindImages(loaded);
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
         glViewport(0, 0, view.width, view.height);
@@ -334,6 +338,7 @@ bool Renderer::setScene(const Scene& scene, Problems& problems) {
     if (!impl_->fits(scene, problems)) return false;
     auto loaded = std::make_shared<LoadedScene>();
     loaded->scene = scene;
+    loaded->origin = originOf(scene);
     loaded->slots = imageSlots(scene);
     loaded->faces = facesOf(scene);
     impl_->uploadAll(*loaded);

@@ -73,6 +73,32 @@ void noteMiddleOfTriangles(std::vector<Shape>& shapes) {
         for (int i = 0; shape.kind == ShapeKind::Triangle && i < 3; ++i) shape.texels[std::size_t(i)].w = middle[i];
 }
 
+bool showsImages(const Material& m) {
+    const auto* coat = std::get_if<Coat>(&m.optics);
+    return m.texture || m.normalMap || (coat && !coat->mask.empty());
+}
+
+/// A plane told from its point nearest to 0, so that neither that point nor the rounding of the normal is off by what
+/// float32 makes of the way to a stated point far from the scene.
+Shape toldFromHere(Shape plane) {
+    const glm::dvec3 normal = pointOf(plane, "normal");
+    plane.texels[0] = glm::dvec4(glm::dot(pointOf(plane, "point"), normal) / glm::dot(normal, normal) * normal, 0);
+    return plane;
+}
+
+/// Every object's shape at `time` relative to `origin`.
+std::vector<Shape> shapesAbout(glm::dvec3 origin, const Scene& scene, double time) {
+    std::vector<Shape> shapes = shapesAt(scene, time);
+    if (origin == glm::dvec3(0)) return shapes;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        shapes[i] = translated(shapes[i], -origin);
+        // The stated point is where an image on the plane begins.
+        if (shapes[i].kind == ShapeKind::Plane && !showsImages(scene.materials[std::size_t(scene.objects[i].material)]))
+            shapes[i] = toldFromHere(shapes[i]);
+    }
+    return shapes;
+}
+
 int texelsOf(const Scene& scene, const std::vector<ShapeKind>& kinds) {
     int texels = int(scene.materials.size()) * kMaterialTexels + int(scene.lights.size()) * kLightTexels;
     for (const ShapeKind kind : kinds) texels += shapeRow(kind).texels + 1;
@@ -113,11 +139,12 @@ std::vector<std::pair<std::string, int>> constantsOf(const Features& features) {
 }
 
 std::vector<glm::vec4> packScene(const Scene& scene, const Features& features, double time) {
-    return packScene(scene, features, time, scene.camera.eye);
+    return packScene(scene, features, time, scene.camera.eye, glm::dvec3(0));
 }
 
-std::vector<glm::vec4> packScene(const Scene& scene, const Features& features, double time, glm::dvec3 eye) {
-    std::vector<Shape> shapes = shapesAt(scene, time);
+std::vector<glm::vec4> packScene(const Scene& scene, const Features& features, double time, glm::dvec3 eye,
+                                 glm::dvec3 origin) {
+    std::vector<Shape> shapes = shapesAbout(origin, scene, time);
     noteMiddleOfTriangles(shapes);
     const std::vector<ShapeKind> kinds = drawnKinds(scene);
     const std::vector<int> order = shaderOrder(scene, kinds);
@@ -125,13 +152,13 @@ std::vector<glm::vec4> packScene(const Scene& scene, const Features& features, d
     std::vector<glm::vec4> texels;
     texels.reserve(std::size_t(texelsOf(scene, kinds)));
     for (int i : order) {
-        const Shape drawn = drawnAs(kinds[i], shapes[i], eye);
+        const Shape drawn = drawnAs(kinds[i], shapes[i], eye - origin);
         for (int k = 0; k < shapeRow(drawn.kind).texels; ++k) texels.emplace_back(drawn.texels[k]);
     }
     for (int i : order) texels.emplace_back(float(scene.objects[i].material), float(i), 0.0f, 0.0f);
     for (const Material& material : scene.materials) packMaterial(material, images, time, texels);
     for (const Light& light : scene.lights) {
-        texels.emplace_back(glm::vec4(std::get<PointLight>(light.shape).position, 0));
+        texels.emplace_back(glm::vec4(std::get<PointLight>(light.shape).position - origin, 0));
         texels.emplace_back(glm::vec4(light.color, 0));
     }
     if (features.glows > 0)

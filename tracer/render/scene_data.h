@@ -25,9 +25,10 @@ int sceneTexels(const Scene&);
 /// Names and values of the integer constants that tell the shader where things lie.
 std::vector<std::pair<std::string, int>> constantsOf(const Features&);
 
-/// All texels at `time`, for a picture taken from `eye`; what is drawn does not depend on the eye, only how exactly.
-std::vector<glm::vec4> packScene(const Scene&, const Features&, double time, glm::dvec3 eye);
-/// From the scene's own camera.
+/// All texels at `time`, for a picture taken from `eye`, every point relative to `origin`; what is drawn does not
+/// depend on the two, only how exactly.
+std::vector<glm::vec4> packScene(const Scene&, const Features&, double time, glm::dvec3 eye, glm::dvec3 origin);
+/// From the scene's own camera, in the world's coordinates.
 std::vector<glm::vec4> packScene(const Scene&, const Features&, double time);
 
 /// Images in the order of their slots (cube map faces left out), each once.

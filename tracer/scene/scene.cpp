@@ -12,6 +12,9 @@ glm::dvec3 swing(const Orbit& orbit, double time) {
     return orbit.cos * std::cos(orbit.rate * time) + orbit.sin * std::sin(orbit.rate * time);
 }
 
+/// The farthest that an orbit takes an object along each axis.
+glm::dvec3 amplitude(const Orbit& orbit) { return glm::sqrt(orbit.cos * orbit.cos + orbit.sin * orbit.sin); }
+
 /// The object that `index` moves around, or -1.
 int centreOf(const Scene& scene, int index) {
     const Object& object = scene.objects[std::size_t(index)];
@@ -28,9 +31,40 @@ void addOnce(std::vector<std::string>& names, const std::string& name) {
     if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
 
-} // namespace
+double largest(glm::dvec3 v) { return std::max({v.x, v.y, v.z}); }
 
-std::vector<Shape> shapesAt(const Scene& scene, double time) {
+struct Box {
+    glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+    glm::dvec3 middle() const { return 0.5 * (low + high); }
+    double reach() const { return largest(0.5 * (high - low)); }
+};
+
+/// How far a shape may reach from its points.
+glm::dvec3 girthOf(const Shape& shape) {
+    glm::dvec3 girth(0);
+    for (const ShapeField& field : shapeRow(shape.kind).fields) {
+        const glm::dvec4& texel = shape.texels[std::size_t(field.texel)];
+        if (field.type == FieldType::Length) girth += texel[field.component];
+        if (field.type == FieldType::Lengths) girth += glm::dvec3(texel);
+    }
+    return girth;
+}
+
+void widen(Box& box, const Shape& shape) {
+    const glm::dvec3 girth = girthOf(shape);
+    for (const ShapeField& field : shapeRow(shape.kind).fields) {
+        const int points = field.type == FieldType::Vertices ? 3 : field.type == FieldType::Point ? 1 : 0;
+        for (int i = 0; i < points; ++i) {
+            const glm::dvec3 point(shape.texels[std::size_t(field.texel + i)]);
+            box.low = glm::min(box.low, point - girth);
+            box.high = glm::max(box.high, point + girth);
+        }
+    }
+}
+
+/// Every object's shape where `swing` of its orbit is how far it has moved from where it rests.
+template<typename Swing>
+std::vector<Shape> placed(const Scene& scene, Swing swing) {
     enum class State : char { Resting, OnTheWay, Placed };
     std::vector<Shape> shapes(scene.objects.size());
     std::vector<State> states(scene.objects.size(), State::Resting);
@@ -47,7 +81,7 @@ std::vector<Shape> shapesAt(const Scene& scene, double time) {
             const Object& object = scene.objects[i];
             const int around = centreOf(scene, int(i));
             shapes[i] = object.shape;
-            if (object.motion) shapes[i] = translated(shapes[i], swing(*object.motion, time));
+            if (object.motion) shapes[i] = translated(shapes[i], swing(*object.motion));
             // Only a circle, which the reader refuses, leaves the centre unplaced here.
             if (around >= 0 && states[std::size_t(around)] == State::Placed)
                 shapes[i] = translated(shapes[i], referencePoint(shapes[std::size_t(around)]));
@@ -55,6 +89,30 @@ std::vector<Shape> shapesAt(const Scene& scene, double time) {
         }
     }
     return shapes;
+}
+
+/// All that bounded objects, globes aside, ever touch; empty, with a reach of -infinity, where there are none.
+Box bounded(const Scene& scene) {
+    Box box;
+    const std::vector<ShapeKind> kinds = drawnKinds(scene);
+    for (const double way : {-1.0, 1.0}) {
+        const auto shapes = placed(scene, [way](const Orbit& orbit) { return way * amplitude(orbit); });
+        for (std::size_t i = 0; i < shapes.size(); ++i)
+            if (kinds[i] != ShapeKind::Globe && kinds[i] != ShapeKind::Plane) widen(box, shapes[i]);
+    }
+    return box;
+}
+
+/// The least power of two above x > 0; 0 of 0.
+double powerOfTwoAbove(double x) {
+    int exponent = 0;
+    return std::frexp(x, &exponent) > 0 ? std::ldexp(1.0, exponent) : 0;
+}
+
+} // namespace
+
+std::vector<Shape> shapesAt(const Scene& scene, double time) {
+    return placed(scene, [time](const Orbit& orbit) { return swing(orbit, time); });
 }
 
 std::vector<ShapeKind> drawnKinds(const Scene& scene) {
@@ -70,6 +128,17 @@ std::vector<ShapeKind> drawnKinds(const Scene& scene) {
         kinds.push_back(huge ? ShapeKind::Globe : shape.kind);
     }
     return kinds;
+}
+
+glm::dvec3 originOf(const Scene& scene) {
+    const CameraPose& camera = scene.camera;
+    const Box box = bounded(scene);
+    const bool any = box.reach() >= 0;
+    const glm::dvec3 middle = any ? box.middle() : camera.eye;
+    const glm::dvec3 other = any ? camera.eye : camera.target;
+    const double step = powerOfTwoAbove(std::max(8 * box.reach(), 2 * largest(glm::abs(other - middle))));
+    if (step == 0) return glm::dvec3(0);
+    return glm::trunc(middle / step) * step + 0.0; // + 0: never -0, which would turn a coordinate of -0 into 0
 }
 
 std::vector<std::string> imagesOf(const Scene& scene) {
