@@ -90,6 +90,19 @@ bool fits(RayClass kind, const Subject& subject) {
     return true;
 }
 
+double leastDecided(RayClass kind, ShapeKind shape, double distance) {
+    const bool plane = shape == ShapeKind::Plane, sheared = shape == ShapeKind::Triangle;
+    switch (kind) {
+    case RayClass::Uniform: return sheared ? 0.85 : 0.99;
+    case RayClass::Grazing: return 0.45;
+    case RayClass::Tangent: return distance > 1e4 ? 0.05 : 0.2;
+    case RayClass::Hole: return 0.99;
+    case RayClass::Inside: return distance > 1e4 ? 0.3 : 0.85; // 1e5 away a thin box is one rounding thick
+    case RayClass::Axis: return plane ? 0.4 : 0.7;
+    }
+    return 1;
+}
+
 Shape placed(const Subject& subject, RayClass kind, double distance) {
     if (kind == RayClass::Axis) return subject.body;
     const glm::dvec3 away =
@@ -145,6 +158,32 @@ BatchRay RayStream::towards(const Vec& origin, const Vec& target) const {
     return ray;
 }
 
+/// A triangle is sheared as seen from the eye: what is near tangency grows with the distance.
+double RayStream::blur() const { return body_.kind() == ShapeKind::Triangle ? std::max(far_, 1.0) : 1; }
+
+/// A far ray's six numbers have steps that are coarser than what it should pass by a surface at. Of many rays a few
+/// steps beside it, the one that passes the wanted point closest, across the surface.
+BatchRay RayStream::nudged(const BatchRay& ray, const Spot& wanted) {
+    const Vec3<long double> target = body_.middle() + Vec3<long double>(wanted.point), normal(wanted.normal);
+    BatchRay best = ray;
+    long double least = 1e30L;
+    for (int i = 0; i < 200; ++i) {
+        BatchRay other = ray;
+        for (int c = 0; c < 3; ++c) {
+            const float origin = ray.origin[c], direction = ray.direction[c];
+            const auto steps = [&](int most) { return float(int(number(0, 2 * most + 1)) - most); };
+            other.origin[c] += steps(2) * (std::nextafter(origin, 1e30f) - origin);
+            other.direction[c] += steps(1) * (std::nextafter(direction, 1e30f) - direction);
+        }
+        const Vec3<long double> o = Vec3<long double>(other.origin) - target, d(other.direction);
+        const long double past = std::abs(dot(o - (dot(o, d) / dot(d, d)) * d, normal));
+        if (past >= least) continue;
+        least = past;
+        best = other;
+    }
+    return best;
+}
+
 RayStream::Spot RayStream::surface() {
     const double size = body_.size();
     if (body_.kind() == ShapeKind::Plane) return {number(0, size) * acrossTo(body_.axis()), body_.axis()};
@@ -180,9 +219,10 @@ BatchRay RayStream::grazing() {
     if (body_.kind() == ShapeKind::Plane) // nearly along it
         return from(far_ * unit(acrossTo(spot.normal) + offset * spot.normal),
                     acrossTo(spot.normal) - offset * spot.normal);
-    const Vec target = spot.point + offset * body_.size() * spot.normal;
+    const double past = std::copysign(std::min(std::abs(offset) * blur(), 1.0), offset) * body_.size();
+    const Vec target = spot.point + past * spot.normal;
     const Vec along = body_.closed() ? acrossTo(spot.normal) : direction();
-    return towards(target - far_ * body_.size() * along, target);
+    return nudged(towards(target - far_ * body_.size() * along, target), {target, spot.normal});
 }
 
 bool RayStream::meets(const BatchRay& ray) const {
@@ -221,7 +261,7 @@ void RayStream::findSilhouette() {
 BatchRay RayStream::tangent() {
     if (left_ == 0) findSilhouette();
     --left_;
-    const double offset = std::exp2(number(-27, -16)) * (number(0, 1) < 0.5 ? -1 : 1) * body_.size();
+    const double offset = std::exp2(number(-27, -16)) * (number(0, 1) < 0.5 ? -1 : 1) * blur() * body_.size();
     const Vec slant = 1e-4 * std::min(1.0, far_ * 1e-4) * direction();
     return alongAxis(silhouette_ + offset * outward_, slant);
 }
