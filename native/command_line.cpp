@@ -85,21 +85,45 @@ std::optional<Loaded> load(const std::string& sceneName, Problems& problems) {
     return Loaded{*assets, std::move(*scene), std::move(*images)};
 }
 
+namespace {
+
+std::vector<std::string> namesOf(const std::vector<const CLI::App*>& commands) {
+    std::vector<std::string> names;
+    for (const auto* command : commands) names.push_back(command->get_name());
+    return names;
+}
+
+} // namespace
+
+std::string pathOf(const CLI::App& command) {
+    if (!command.get_parent()) return {};
+    const std::string above = pathOf(*command.get_parent());
+    return above.empty() ? command.get_name() : above + " " + command.get_name();
+}
+
 Problems unknownWords(const CLI::App& command) {
     std::vector<std::string> known;
     for (const auto* option : command.get_options())
         for (const auto& name : option->get_lnames()) known.push_back("--" + name);
     Problems problems;
     for (const auto& word : command.remaining()) {
+        if (const auto below = namesOf(command.get_subcommands([](const CLI::App*) { return true; }));
+            !below.empty() && word[0] != '-') {
+            const auto meant = closest(word, {below.begin(), below.end()});
+            problems.push_back(wrongOption({}, "there is no " + command.get_name() + " '" + word + "'",
+                                           meant.empty() ? "`gnomon " + pathOf(command) + " --help` lists them"
+                                                         : "did you mean '" + std::string(meant) + "'?"));
+            continue;
+        }
         if (word.empty() || word[0] != '-') {
             problems.push_back(wrongOption({}, "'" + word + "' is one word too many",
-                                           "`gnomon " + command.get_name() + " --help` shows what fits"));
+                                           "`gnomon " + pathOf(command) + " --help` shows what fits"));
             continue;
         }
         const std::string name = word.substr(0, word.find('='));
         const auto meant = closest(name, {known.begin(), known.end()});
         problems.push_back(wrongOption({}, "there is no option " + name,
-                                       meant.empty() ? "`gnomon " + command.get_name() + " --help` lists them"
+                                       meant.empty() ? "`gnomon " + pathOf(command) + " --help` lists them"
                                                      : "did you mean " + std::string(meant) + "?"));
     }
     return problems;

@@ -50,6 +50,9 @@ struct Loaded {
 };
 std::optional<Loaded> load(const std::string& scene, Problems&);
 
+/// As it is typed after the program's name, `lab intersect`; empty for the program itself.
+std::string pathOf(const CLI::App& command);
+
 /// What CLI11 did not know, each with the closest option the command has.
 Problems unknownWords(const CLI::App& command);
 

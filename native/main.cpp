@@ -42,6 +42,22 @@ Problems mistypedCommand(const std::vector<std::string>& words, const CLI::App& 
     return {wrongOption({}, "there is no command '" + word + "'", "did you mean '" + std::string(meant) + "'?")};
 }
 
+/// Words that a command does not know are told in our own words, not CLI11's.
+void allowExtras(CLI::App& app) {
+    for (auto* command : app.get_subcommands({})) {
+        command->allow_extras();
+        allowExtras(*command);
+    }
+}
+
+/// The innermost command that was chosen, as `lab intersect`; null where there is none.
+const CLI::App* chosenIn(const CLI::App& app) {
+    const auto chosen = app.get_subcommands();
+    if (chosen.empty()) return nullptr;
+    const CLI::App* inner = chosenIn(*chosen.front());
+    return inner ? inner : chosen.front();
+}
+
 /// CLI11's words, except where they speak of types.
 std::string whatIsWrong(const CLI::ParseError& error) {
     const std::string words = error.what();
@@ -56,17 +72,17 @@ int parseAndRun(CLI::App& app, std::vector<std::string> words, const Task& task)
     } catch (const CLI::Success& help) {
         return app.exit(help);
     } catch (const CLI::ParseError& error) {
-        const auto chosen = app.get_subcommands();
+        const CLI::App* chosen = chosenIn(app);
         // An unknown option is often why another seems to be missing: it is told first.
-        Problems problems = chosen.empty() ? Problems{} : unknownWords(*chosen.front());
-        const std::string command = chosen.empty() ? "" : chosen.front()->get_name() + " ";
+        Problems problems = chosen ? unknownWords(*chosen) : Problems{};
+        const std::string command = chosen ? pathOf(*chosen) + " " : "";
         if (problems.empty())
             problems.push_back(wrongOption({}, whatIsWrong(error), "`gnomon " + command + "--help` shows what fits"));
         return fail(kCommandLineWrong, problems);
     }
-    const auto chosen = app.get_subcommands();
-    if (chosen.empty() || !task) return kDone;
-    if (const auto unknown = unknownWords(*chosen.front()); !unknown.empty()) return fail(kCommandLineWrong, unknown);
+    const CLI::App* chosen = chosenIn(app);
+    if (!chosen || !task) return kDone;
+    if (const auto unknown = unknownWords(*chosen); !unknown.empty()) return fail(kCommandLineWrong, unknown);
     return task();
 }
 
@@ -82,7 +98,7 @@ int main(int argc, char** argv) {
     Task task;
     for (const auto add : {addView, addRender, addLab, addCheck, addShader, addScenes, addSettingsList, addInfo})
         add(app, task);
-    for (auto* command : app.get_subcommands({})) command->allow_extras();
+    allowExtras(app);
 
     std::vector<std::string> words(argv + 1, argv + argc);
     if (meansView(words, app)) {

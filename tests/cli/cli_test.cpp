@@ -83,6 +83,38 @@ const char* const kScene = R"({
   "objects": [{"sphere": {"center": [0, 0, 0], "radius": 0.5}, "material": "red"}]
 })";
 
+TEST_F(Cli, LabIntersectFindsNothingWrongAndWritesItsNumbers) {
+    const Answer run =
+        gnomon("lab intersect --shapes=disc --distances=3,1000 --rays=200 --json=all.json --html=all.html");
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_NE(run.out.find("\n0 of "), std::string::npos) << run.out;
+    const auto results = nlohmann::json::parse(readText(folder_ / "all.json"));
+    EXPECT_EQ(results["format"], "gnomon-results");
+    EXPECT_EQ(results["command"], "gnomon lab intersect --rays=200 --context=osmesa --distances=3,1000 --shapes=disc");
+    const auto& table = results["tables"][0];
+    EXPECT_EQ(table["rows"].size(), 8U) << "uniform, grazing, tangent and axis rays at two distances";
+    for (const auto& row : table["rows"]) EXPECT_EQ(row.size(), table["columns"].size());
+    for (const auto& chart : results["charts"]) EXPECT_EQ(chart["table"], table["name"]);
+    const std::string page = readText(folder_ / "all.html");
+    EXPECT_NE(page.find("gnomon-results"), std::string::npos);
+    EXPECT_EQ(page.find("http-equiv"), std::string::npos);
+}
+
+TEST_F(Cli, LabRefusesWhatItDoesNotKnow) {
+    expectRefused("lab intersct", 2, "did you mean 'intersect'?");
+    expectRefused("lab intersect --shapes=torsus", 2, "did you mean 'torus'?");
+    expectRefused("lab intersect --shaps=torus", 2, "did you mean --shapes?");
+    expectRefused("lab intersect --rays=1", 2, "use 100");
+    expectRefused("lab intersect --distances=0", 2, "use 2");
+    expectRefused("lab intersect --context=metal", 2, "osmesa|egl|window");
+}
+
+TEST_F(Cli, LabSaysWhereItCannotWrite) {
+    const Answer run = gnomon("lab intersect --shapes=plane --distances=3 --rays=100 --json=none/all.json");
+    EXPECT_EQ(run.code, 1);
+    EXPECT_NE(run.err.find("none/all.json: cannot be written"), std::string::npos) << run.err;
+}
+
 } // namespace
 
 TEST_F(Cli, RefusesSettingsOutOfRangeWithTheRange) {

@@ -1,5 +1,5 @@
-/// The measurements of `gnomon lab intersect`: the shader's intersectors beside the textbook's, for every shape, class of
-/// rays and distance.
+/// The measurements of `gnomon lab intersect`: the shader's intersectors beside the textbook's, for every shape, class
+/// of rays and distance.
 #pragma once
 
 #include "tests/oracle/judge.h"
@@ -8,6 +8,7 @@
 #include "tracer/shader/library.h"
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,9 +16,10 @@ namespace gnomon::oracle {
 
 struct IntersectCell {
     Subject subject;
-    RayClass kind;
-    double distance; ///< in sizes
+    std::optional<RayClass> kind; ///< none: shared edges, through a fan of triangles (tests/oracle/fan.h)
+    double distance;              ///< in sizes
 };
+std::string_view raysOf(const IntersectCell&);
 
 /// All that fit of the given shapes (empty: all) at the distances. Cells of one placed body follow each other.
 std::vector<IntersectCell> intersectCells(const std::vector<std::string>& shapes, const std::vector<double>& distances);
@@ -44,6 +46,7 @@ class IntersectLab {
 
   private:
     struct Pair;
+    bool prepare(const std::vector<Shape>&, Problems&);
     std::span<const ShaderFile> naive_;
     double (*clock_)();
     std::unique_ptr<Pair> pair_; ///< compiled for the last placed body

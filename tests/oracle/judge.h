@@ -22,7 +22,7 @@ Bounds boundsOf(ShapeKind);
 /// points are written in. A plane has no size, and a triangle's vertices are sheared as seen from the eye: they scale
 /// with the distance; a sliver's plane turns by a rounding over its height.
 struct Scale {
-    double band;     ///< 1 scale
+    double band;     ///< the size; from more than 16 384 sizes away that part of the distance (ray/split.glsl says why)
     double distance; ///< whose ulp counts: of the hit, of three sizes at least
     double rounding;
     double bend; ///< smallest radius of curvature; of a flat body its smallest height

@@ -32,10 +32,11 @@ Json jsonOf(const Table& table) {
 }
 
 Json jsonOf(const Chart& chart) {
-    Json where = Json::object();
+    Json where = Json::object(), y = Json::array();
+    for (const auto& [key, label] : chart.y) y.push_back({{"column", key}, {"label", label}});
     for (const auto& [key, value] : chart.where) where[key] = value;
-    return {{"title", chart.title},   {"table", chart.table}, {"x", chart.x},       {"y", chart.y},
-            {"series", chart.series}, {"facet", chart.facet}, {"where", where},     {"log_x", chart.logX},
+    return {{"title", chart.title},   {"table", chart.table}, {"x", chart.x},   {"y", y},
+            {"series", chart.series}, {"facet", chart.facet}, {"where", where}, {"log_x", chart.logX},
             {"log_y", chart.logY}};
 }
 
@@ -46,7 +47,7 @@ std::string toJson(const Results& results) {
     for (const auto& [name, value] : results.environment) environment[name] = value;
     for (const Table& table : results.tables) tables.push_back(jsonOf(table));
     for (const Chart& chart : results.charts) charts.push_back(jsonOf(chart));
-    const Json all{{"format", "gnomon-results"}, {"version", kVersion},       {"title", results.title},
+    const Json all{{"format", "gnomon-results"}, {"version", kVersion},        {"title", results.title},
                    {"command", results.command}, {"environment", environment}, {"tables", std::move(tables)},
                    {"charts", std::move(charts)}};
     return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";

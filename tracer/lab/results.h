@@ -25,12 +25,13 @@ struct Table {
     std::vector<std::vector<Cell>> rows;
 };
 
-/// A line a `series` over `x`, small multiples by `facet`; rows are those where every `where` holds.
+/// Lines of the columns `y` over `x`, one for each of `series`, small multiples by `facet`; rows are those where every
+/// `where` holds.
 struct Chart {
     std::string title, table;
     std::string x;
-    std::vector<std::string> y; ///< columns; each is drawn in its own way
-    std::string series, facet;  ///< columns; may be empty
+    std::vector<std::pair<std::string, std::string>> y; ///< columns and what the legend calls them; one unit for all
+    std::string series, facet;                          ///< columns; may be empty
     std::vector<std::pair<std::string, std::string>> where;
     bool logX = false, logY = false;
 };

@@ -49,14 +49,15 @@ function tableOf(table) {
   return element('section', {}, element('h2', { textContent: table.title }), element('div', { className: 'table' }, grid));
 }
 
-/** One line for every series and y column; the first column is drawn through, the next dashed. */
-function linesOf(chart, columns, rows) {
+/** One line for every series and y column; the first column is a solid line, the next ones are dashed. */
+function linesOf(chart, rows) {
   const names = [...new Set(rows.map((row) => row[chart.series] ?? ''))];
   return names.flatMap((name, i) =>
-    chart.y.map((key, style) => ({
-      label: [name, columns.get(key).title].filter(Boolean).join(' '),
-      data: rows.filter((row) => (row[chart.series] ?? '') === name && typeof row[key] === 'number' && !(chart.log_y && row[key] <= 0))
-        .map((row) => ({ x: row[chart.x], y: row[key] })),
+    chart.y.map(({ column, label }, style) => ({
+      label: [name, label].filter(Boolean).join(', '),
+      data: rows
+        .filter((row) => (row[chart.series] ?? '') === name && typeof row[column] === 'number' && !(chart.log_y && row[column] <= 0))
+        .map((row) => ({ x: row[chart.x], y: row[column] })),
       borderColor: colors[i % colors.length],
       backgroundColor: colors[i % colors.length],
       borderDash: style ? [5, 4] : [],
@@ -73,12 +74,12 @@ function drawChart(canvas, chart, columns, rows) {
   });
   return new Chart(canvas, {
     type: 'line',
-    data: { datasets: linesOf(chart, columns, rows) },
+    data: { datasets: linesOf(chart, rows) },
     options: {
       animation: false,
       maintainAspectRatio: false,
       parsing: false,
-      scales: { x: axis(chart.x, chart.log_x), y: axis(chart.y[0], chart.log_y) },
+      scales: { x: axis(chart.x, chart.log_x), y: axis(chart.y[0].column, chart.log_y) },
       plugins: { legend: { labels: { boxWidth: 26, boxHeight: 0, font: { size: 11 } } } },
     },
   });
