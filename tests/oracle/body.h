@@ -1,4 +1,4 @@
-/// A shape as geometry: its exact distance, in the float32 numbers that the shader gets, about its own middle.
+/// A shape as geometry: its exact distance about its own middle.
 ///
 /// It knows nothing of rays and shares no formula with the shader's intersectors. R is double for millions of rays (the
 /// coordinates are those of the shape's own size, so 1e-16 of it is lost), or any wider type.
@@ -17,13 +17,18 @@ namespace gnomon::oracle {
 template<class R>
 using Wide = std::conditional_t<std::is_same_v<R, double>, long double, R>;
 
+/// Which numbers of a shape are meant: rounded to float32, as the shader gets them, or as the scene has them.
+enum class Numbers { OfTheShader, OfTheScene };
+
 template<class R>
 class Body {
   public:
-    explicit Body(const Shape& shape) : kind_(shape.kind) {
+    explicit Body(Shape shape, Numbers numbers = Numbers::OfTheShader) : kind_(shape.kind) {
         using W = Wide<R>;
-        const auto point = [&](int texel) { return Vec3<W>(glm::vec3(shape.texels[std::size_t(texel)])); };
-        const auto number = [&](int texel) { return R(float(shape.texels[std::size_t(texel)].w)); };
+        if (numbers == Numbers::OfTheShader)
+            for (glm::dvec4& texel : shape.texels) texel = glm::dvec4(glm::vec4(texel));
+        const auto point = [&](int texel) { return Vec3<W>(glm::dvec3(shape.texels[std::size_t(texel)])); };
+        const auto number = [&](int texel) { return R(shape.texels[std::size_t(texel)].w); };
         const bool axial = kind_ == ShapeKind::Cylinder || kind_ == ShapeKind::Capsule || kind_ == ShapeKind::Cone;
         middle_ = point(0);
         if (axial) middle_ = W(0.5) * (point(0) + point(1));
@@ -37,7 +42,7 @@ class Body {
             halfLength_ = length(vertices_[1] - vertices_[0]) / 2;
         } else if (kind_ == ShapeKind::Triangle) {
             axis_ = unit(cross(vertices_[1] - vertices_[0], vertices_[2] - vertices_[0]));
-        } else {
+        } else if (kind_ == ShapeKind::Plane || kind_ == ShapeKind::Disc || kind_ == ShapeKind::Torus) {
             axis_ = unit(Vec3<R>(point(1)));
         }
         size_ = sizeOf();
@@ -47,6 +52,8 @@ class Body {
     bool closed() const {
         return kind_ != ShapeKind::Plane && kind_ != ShapeKind::Disc && kind_ != ShapeKind::Triangle;
     }
+    /// The distance is a convex function of the point.
+    bool convex() const { return closed() && kind_ != ShapeKind::Torus; }
     const Vec3<Wide<R>>& middle() const { return middle_; }
     /// Radius of the sphere about the middle that holds the body; 1 for a plane.
     const R& size() const { return size_; }
@@ -124,7 +131,11 @@ class Body {
         case ShapeKind::Torus: return std::min<R>(minor_, radius_ - minor_);
         case ShapeKind::Cylinder:
         case ShapeKind::Capsule: return radius_;
-        case ShapeKind::Cone: return std::min<R>(radius_, profile(p).away);
+        case ShapeKind::Cone: {
+            const Profile q = profile(p);
+            const bool base = toBase(q) <= toSide(q);
+            return base ? radius_ : std::min<R>(radius_, q.away);
+        }
         case ShapeKind::Triangle: {
             const Vec3<R> a = vertices_[1] - vertices_[0], b = vertices_[2] - vertices_[1],
                           c = vertices_[0] - vertices_[2];
@@ -162,9 +173,12 @@ class Body {
     R coneDistance(const Profile& q) const {
         const R y = q.along + halfLength_, whole = 2 * halfLength_; // from the base up
         const bool inside = y > 0 && y < whole && q.away * whole < radius_ * (whole - y);
-        const R away = std::min<R>(toStretch(q.away, y, R(0), R(0), radius_, R(0)),
-                                   toStretch(q.away, y, radius_, R(0), R(0), whole));
+        const R away = std::min<R>(toBase(q), toSide(q));
         return inside ? R(-away) : away;
+    }
+    R toBase(const Profile& q) const { return toStretch(q.away, R(q.along + halfLength_), R(0), R(0), radius_, R(0)); }
+    R toSide(const Profile& q) const {
+        return toStretch(q.away, R(q.along + halfLength_), radius_, R(0), R(0), R(2 * halfLength_));
     }
     R sizeOf() const {
         switch (kind_) {
@@ -177,7 +191,8 @@ class Body {
         case ShapeKind::Cone: return hypotenuse(halfLength_, radius_);
         case ShapeKind::Triangle:
             return std::max<R>(length(vertices_[0]), std::max<R>(length(vertices_[1]), length(vertices_[2])));
-        case ShapeKind::Plane: break;
+        case ShapeKind::Plane:
+        case ShapeKind::Globe: break; // a sphere to its scene
         }
         return R(1);
     }

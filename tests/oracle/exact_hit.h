@@ -39,7 +39,8 @@ Line<R> lineOf(const Body<R>& body, glm::vec3 origin, glm::vec3 direction) {
     return lineOf(body, Vec3<Wide<R>>(origin), Vec3<Wide<R>>(direction));
 }
 
-/// `from`: later than the start by this much of t; 0, or past what a start on the surface is uncertain by.
+/// `from`: looks for hits later than the start by this much of t; 0, or past what a start on the surface is uncertain
+/// by.
 template<class R>
 ExactHit<R> exactHitOfClosed(const Body<R>& body, const Line<R>& line, R from, int samples) {
     using std::sqrt;
@@ -70,22 +71,24 @@ ExactHit<R> exactHitOfFlat(const Body<R>& body, const Line<R>& line) {
     ExactHit<R> hit;
     const auto size = [](const R& x) { return x < 0 ? R(-x) : x; };
     const R facing = dot(line.d, body.axis()), above = dot(line.p, body.axis());
-    const R startAbove = above + line.start * facing;
-    hit.tangency = size(startAbove); // a start within the plane may be on either side
-    if (body.kind() == ShapeKind::Plane) hit.tangency = std::min<R>(hit.tangency, size(facing) * size(line.start));
-    if (facing == 0) {
-        hit.tangency = 0;
-        return hit;
+    const R startAbove = size(R(above + line.start * facing));
+    if (facing != 0) hit.s = -above / facing;
+    if (facing != 0 && hit.s > line.start) {
+        const R within = body.withinRim(line.at(hit.s));
+        hit.hit = within >= 0;
+        hit.tangency = size(R(within * facing));
+        if (hit.hit) hit.tangency = std::min<R>(hit.tangency, startAbove); // or it starts behind
+    } else { // along the plane or away from it: how high it is by the time that it is over the body
+        hit.tangency = startAbove + size(facing) * std::max<R>(-body.withinRim(line.at(line.start)), 0);
     }
-    hit.s = -above / facing;
-    const R within = body.withinRim(line.at(hit.s));
-    hit.tangency = std::min<R>(hit.tangency, size(R(within * facing)));
-    hit.hit = within >= 0 && hit.s > line.start;
+    if (body.kind() == ShapeKind::Plane) hit.tangency = std::min<R>(hit.tangency, size(facing) * size(line.start));
     return hit;
 }
 
+/// `finer`: so many times the samples that the body's own turns need.
 template<class R>
-ExactHit<R> exactHit(const Body<R>& body, const Line<R>& line, R from = 0, int samples = 256) {
+ExactHit<R> exactHit(const Body<R>& body, const Line<R>& line, R from = 0, int finer = 1) {
+    const int samples = finer * (body.convex() ? 16 : 256); // along a convex body's rays there is one dip only
     ExactHit<R> hit = body.closed() ? exactHitOfClosed(body, line, from, samples) : exactHitOfFlat(body, line);
     hit.t = line.middle + Wide<R>(hit.s);
     hit.point = line.at(hit.s);

@@ -60,7 +60,7 @@ FirstRoot<R> firstRoot(const Function& f, R from, R to, int samples) {
     const R step = (to - from) / samples;
     R before = std::max<R>(f(from), 0); // a start within the surface's rounding counts as on it
     R here = before;
-    for (int i = 0; i < samples; ++i) {
+    for (int i = 0; i <= samples; ++i) { // the last looks one step beyond: a root before `to` has a sample behind it
         const R t = from + step * i;
         const R next = f(t + step);
         const bool dip = here <= before && here <= next; // at the start: perhaps, before the first sample

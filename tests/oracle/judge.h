@@ -22,7 +22,7 @@ Bounds boundsOf(ShapeKind);
 /// points are written in. A plane has no size and scales with the distance; the plane of a sliver of a triangle turns
 /// by a rounding over its height.
 struct Scale {
-    double band;     ///< the size; from more than 16 384 sizes away that part of the distance (ray/split.glsl says why)
+    double band;     ///< the size
     double distance; ///< whose ulp counts: of the hit, of three sizes at least
     double rounding;
     double bend; ///< smallest radius of curvature; of a flat body its smallest height
@@ -33,7 +33,9 @@ struct Verdict {
     bool decided = false; ///< exactly far enough from tangency that float32 has to be right
     bool hit = false;     ///< by both
     bool missed = false, invented = false;
-    bool elsewhere = false; ///< a hit, but neither on the first sheet nor on the way along it
+    /// A hit, but t or the surface point is neither on the first sheet nor on the way along it; or, near a decision or
+    /// not, no number or of another object than the one there is.
+    bool elsewhere = false;
     double margin = 0; ///< of a decision unlike the exact one, in the band or not: how far from tangency, in scales
     double t = 0;      ///< |t - exact|, ulp
     double ray = 0;    ///< |distance of o + t d|, ulp
@@ -44,6 +46,9 @@ struct Verdict {
 };
 Verdict judge(const Body<double>&, const BatchRay&, const BatchHit&);
 
+/// Somewhere on the way along the line from where it meets the surface to s it is farther than `slack` off the surface.
+bool leavesSurface(const Body<double>&, const Line<double>&, double met, double s, double slack);
+
 /// Median, 99.9 % and largest of some values.
 struct Spread {
     double median = 0, most = 0, worst = 0;
@@ -52,15 +57,18 @@ Spread spreadOf(std::vector<double> values);
 
 /// Many verdicts.
 struct Tally {
-    std::int64_t rays = 0, decided = 0, hits = 0, missed = 0, invented = 0, elsewhere = 0;
+    std::int64_t rays = 0, decided = 0;
+    std::int64_t hits = 0; ///< decided ones, whose errors follow
+    std::int64_t missed = 0, invented = 0, elsewhere = 0;
     Spread t, ray, point, normal;
     double worstMargin = 0;
     std::vector<std::size_t> wrongRays;
 
     std::int64_t wrong() const { return missed + invented + elsewhere; }
+    double decidedShare() const { return rays ? double(decided) / double(rays) : 0; }
 };
 bool within(const Tally&, const Bounds&);
-/// Judges on all cores.
+/// Judges on all cores; one answer a ray.
 Tally judgeAll(const Shape&, const std::vector<BatchRay>&, const std::vector<BatchHit>&);
 
 } // namespace gnomon::oracle

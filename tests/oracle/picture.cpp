@@ -5,7 +5,7 @@
 #include <limits>
 #include <thread>
 
-namespace gnomon::test {
+namespace gnomon::oracle {
 namespace {
 
 using Real = long double;
@@ -13,7 +13,7 @@ using Real = long double;
 Vec asInShader(glm::dvec3 v) { return Vec(glm::vec3(v)); }
 
 /// Off the surface to the side of `normal`, by far more than rounding and far less than anything seen.
-Vec startOff(const OracleHit& hit, Vec normal) {
+Vec startOff(const SceneHit& hit, Vec normal) {
     const Vec size = glm::abs(hit.point);
     return hit.point + 1e-12L * (std::max({size.x, size.y, size.z}) + hit.t) * normal;
 }
@@ -32,17 +32,6 @@ glm::dvec3 normalReflectance(const Material& material) {
 
 glm::dvec3 schlick(glm::dvec3 atNormal, double cosine) {
     return atNormal + (1.0 - atNormal) * std::pow(1 - std::clamp(cosine, 0.0, 1.0), 5);
-}
-
-bool closed(ShapeKind kind) {
-    return kind != ShapeKind::Plane && kind != ShapeKind::Disc && kind != ShapeKind::Triangle;
-}
-
-/// Of the flat shapes: towards their outside.
-Vec statedNormal(const Shape& shape) {
-    if (shape.kind != ShapeKind::Triangle) return asInShader(pointOf(shape, "normal"));
-    const auto vertex = [&](std::size_t i) { return asInShader(glm::dvec3(shape.texels[i])); };
-    return glm::cross(vertex(1) - vertex(0), vertex(2) - vertex(0));
 }
 
 double largest(glm::dvec3 v) { return std::max({v.x, v.y, v.z}); }
@@ -65,10 +54,10 @@ void ColorRange::widen(glm::dvec3 color) {
 }
 
 Picture::Picture(const Scene& scene, int width, int height, int depth)
-    : scene_(scene), shapes_(shapesAt(scene, 0)), width_(width), height_(height), depth_(depth),
+    : scene_(scene), bodies_(bodiesOf(scene, 0)), width_(width), height_(height), depth_(depth),
       middles_(std::size_t(width) * height) {
-    for (std::size_t i = 0; i < shapes_.size(); ++i)
-        if (scene.objects[i].castsShadow) casters_.push_back(shapes_[i]);
+    for (std::size_t i = 0; i < bodies_.size(); ++i)
+        if (scene.objects[i].castsShadow) casters_.push_back(bodies_[i]);
     const auto rows = [this](int from) {
         for (int y = from; y < height_; y += 2)
             for (int x = 0; x < width_; ++x) {
@@ -89,14 +78,13 @@ ColorRange Picture::pixel(int x, int y) const {
         pixelRay(scene_.camera, x * kFine + i % kFine, y * kFine + i / kFine, width_ * kFine, height_ * kFine, origin,
                  direction);
         const glm::dvec3 sample = color(origin, direction);
-        range.mean += sample / double(kFine * kFine);
         range.widen(sample);
     }
     return range;
 }
 
 double Picture::beyond(glm::dvec3 color, int x, int y, double enough) const {
-    ColorRange range{middle(x, y), middle(x, y), middle(x, y)};
+    ColorRange range{middle(x, y), middle(x, y)};
     double by = beyondRange(color, range);
     for (int i = 0; i < 18 && by > enough; ++i) {
         const int neighbour = (i + 4) % 9, atX = x + neighbour % 3 - 1, atY = y + neighbour / 3 - 1; // the pixel first
@@ -135,7 +123,7 @@ void Picture::widenAtEdges(ColorRange& range, int x, int y) const {
 }
 
 glm::dvec3 Picture::color(Vec origin, Vec direction, int depth) const {
-    const OracleHit hit = oracleHit(shapes_, origin, direction);
+    const SceneHit hit = nearestHit(bodies_, origin, direction);
     if (hit.object < 0) return scene_.background.color;
     const Material& material = scene_.materials[std::size_t(scene_.objects[std::size_t(hit.object)].material)];
     glm::dvec3 sum = shade(material, hit, direction);
@@ -145,7 +133,7 @@ glm::dvec3 Picture::color(Vec origin, Vec direction, int depth) const {
     const glm::dvec3 atNormal = normalReflectance(material);
     glm::dvec3 mirrored = schlick(atNormal, double(cosine));
     if (const auto* dielectric = std::get_if<Dielectric>(&material.optics)) {
-        const bool entering = outside(hit, direction);
+        const bool entering = hit.outside;
         const Real ior = float(dielectric->ior), eta = entering ? 1 / ior : ior;
         const Real k = 1 - eta * eta * (1 - cosine * cosine); // squared cosine beyond the surface, by Snell's law
         if (k < 0) {
@@ -161,7 +149,7 @@ glm::dvec3 Picture::color(Vec origin, Vec direction, int depth) const {
 }
 
 /// Blinn-Phong, each term of each light within [0, 1].
-glm::dvec3 Picture::shade(const Material& material, const OracleHit& hit, Vec direction) const {
+glm::dvec3 Picture::shade(const Material& material, const SceneHit& hit, Vec direction) const {
     glm::dvec3 sum = material.emission + material.ambient;
     const Vec start = startOff(hit, hit.normal);
     for (const Light& light : scene_.lights) {
@@ -179,15 +167,8 @@ glm::dvec3 Picture::shade(const Material& material, const OracleHit& hit, Vec di
 }
 
 bool Picture::lit(Vec start, Vec light) const {
-    const OracleHit between = oracleHit(casters_, start, glm::normalize(light - start));
+    const SceneHit between = nearestHit(casters_, start, glm::normalize(light - start));
     return between.object < 0 || between.t >= glm::length(light - start);
-}
-
-/// Does a ray that comes in against the hit's normal come from outside of what it hits?
-bool Picture::outside(const OracleHit& hit, Vec direction) const {
-    const Shape& shape = shapes_[std::size_t(hit.object)];
-    return closed(shape.kind) ? signedDistance(shape, startOff(hit, hit.normal)) > 0
-                              : glm::dot(direction, statedNormal(shape)) <= 0;
 }
 
 Difference compare(const FloatImage& image, const Picture& picture, double tolerance) {
@@ -197,7 +178,7 @@ Difference compare(const FloatImage& image, const Picture& picture, double toler
             const float* p = image.at(x, y);
             const glm::dvec3 color(p[0], p[1], p[2]), middle = picture.middle(x, y);
             difference.rmse += glm::dot(color - middle, color - middle);
-            if (beyondRange(color, {middle, middle, middle}) <= tolerance) continue;
+            if (beyondRange(color, {middle, middle}) <= tolerance) continue;
             ++difference.moved;
             if (difference.outliers == Difference::kMost) continue;
             const double by = picture.beyond(color, x, y, tolerance);
@@ -211,4 +192,4 @@ Difference compare(const FloatImage& image, const Picture& picture, double toler
     return difference;
 }
 
-} // namespace gnomon::test
+} // namespace gnomon::oracle

@@ -7,17 +7,17 @@
 /// nothing else of where it starts: no object numbers, no sides, no tMin as in the shader.
 #pragma once
 
-#include "tests/shader/oracle.h"
+#include "tests/oracle/scene_hit.h"
 #include "tracer/image.h"
 #include "tracer/scene/scene.h"
 
 #include <vector>
 
-namespace gnomon::test {
+namespace gnomon::oracle {
 
-/// Mean, least and most of samples, each channel by itself.
+/// Least and most of samples, each channel by itself.
 struct ColorRange {
-    glm::dvec3 mean{0}, least{1e30}, most{-1e30};
+    glm::dvec3 least{1e30}, most{-1e30};
     void widen(glm::dvec3 color);
 };
 
@@ -45,12 +45,11 @@ class Picture {
   private:
     glm::dvec3 color(Vec origin, Vec direction, int depth) const;
     void widenAtEdges(ColorRange&, int x, int y) const;
-    glm::dvec3 shade(const Material&, const OracleHit&, Vec direction) const;
+    glm::dvec3 shade(const Material&, const SceneHit&, Vec direction) const;
     bool lit(Vec start, Vec light) const;
-    bool outside(const OracleHit&, Vec direction) const;
 
     Scene scene_;
-    std::vector<Shape> shapes_, casters_;
+    std::vector<SceneBody> bodies_, casters_;
     int width_, height_, depth_;
     std::vector<glm::dvec3> middles_;
 };
@@ -69,4 +68,4 @@ struct Difference {
 /// channel.
 Difference compare(const FloatImage&, const Picture&, double tolerance);
 
-} // namespace gnomon::test
+} // namespace gnomon::oracle

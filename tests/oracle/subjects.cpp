@@ -90,6 +90,19 @@ bool fits(RayClass kind, const Subject& subject) {
     return true;
 }
 
+double leastDecided(RayClass kind, ShapeKind shape, double distance) {
+    const bool plane = shape == ShapeKind::Plane;
+    switch (kind) {
+    case RayClass::Uniform: return 0.99;
+    case RayClass::Grazing: return 0.45;
+    case RayClass::Tangent: return distance > 1e4 ? 0.05 : 0.2;
+    case RayClass::Hole: return 0.99;
+    case RayClass::Inside: return distance > 1e4 ? 0.3 : 0.85; // 1e5 away a thin box is one rounding thick
+    case RayClass::Axis: return plane ? 0.4 : 0.7;
+    }
+    return 1;
+}
+
 Shape placed(const Subject& subject, RayClass kind, double distance) {
     if (kind == RayClass::Axis) return subject.body;
     const glm::dvec3 away =
@@ -145,6 +158,29 @@ BatchRay RayStream::towards(const Vec& origin, const Vec& target) const {
     return ray;
 }
 
+/// A far ray's six numbers have steps that are coarser than what it should pass by a surface at. Of many rays a few
+/// steps beside it, the one that passes the wanted point closest, across the surface.
+BatchRay RayStream::nudged(const BatchRay& ray, const Spot& wanted) {
+    const Vec3<long double> target = body_.middle() + Vec3<long double>(wanted.point), normal(wanted.normal);
+    BatchRay best = ray;
+    long double least = 1e30L;
+    for (int i = 0; i < 200; ++i) {
+        BatchRay other = ray;
+        for (int c = 0; c < 3; ++c) {
+            const float origin = ray.origin[c], direction = ray.direction[c];
+            const auto steps = [&](int most) { return float(int(number(0, 2 * most + 1)) - most); };
+            other.origin[c] += steps(2) * (std::nextafter(origin, 1e30f) - origin);
+            other.direction[c] += steps(1) * (std::nextafter(direction, 1e30f) - direction);
+        }
+        const Vec3<long double> o = Vec3<long double>(other.origin) - target, d(other.direction);
+        const long double past = std::abs(dot(o - (dot(o, d) / dot(d, d)) * d, normal));
+        if (past >= least) continue;
+        least = past;
+        best = other;
+    }
+    return best;
+}
+
 RayStream::Spot RayStream::surface() {
     const double size = body_.size();
     if (body_.kind() == ShapeKind::Plane) return {number(0, size) * acrossTo(body_.axis()), body_.axis()};
@@ -182,7 +218,7 @@ BatchRay RayStream::grazing() {
                     acrossTo(spot.normal) - offset * spot.normal);
     const Vec target = spot.point + offset * body_.size() * spot.normal;
     const Vec along = body_.closed() ? acrossTo(spot.normal) : direction();
-    return towards(target - far_ * body_.size() * along, target);
+    return nudged(towards(target - far_ * body_.size() * along, target), {target, spot.normal});
 }
 
 bool RayStream::meets(const BatchRay& ray) const {

@@ -38,6 +38,9 @@ inline constexpr std::array<RayClass, 6> kRayClasses{RayClass::Uniform, RayClass
                                                      RayClass::Hole,    RayClass::Inside,  RayClass::Axis};
 std::string_view nameOf(RayClass);
 bool fits(RayClass, const Subject&);
+/// The share of a class's rays that have to be so far from tangency that float32 must decide them rightly, at least.
+/// The others are near it on purpose, or are put there by the rounding of what lies far from the world's origin.
+double leastDecided(RayClass, ShapeKind, double distance);
 
 /// The subject where the class wants it: turned and moved off the origin, or upright in it, or far away.
 Shape placed(const Subject&, RayClass, double distance);
@@ -63,6 +66,7 @@ class RayStream {
     Vec3<double> acrossTo(const Vec3<double>& normal);
     BatchRay from(const Vec3<double>& origin, const Vec3<double>& along) const;
     BatchRay towards(const Vec3<double>& origin, const Vec3<double>& target) const;
+    BatchRay nudged(const BatchRay&, const Spot& wanted);
     BatchRay uniform();
     BatchRay grazing();
     BatchRay tangent();

@@ -13,7 +13,8 @@ struct Vec3 {
 
     Vec3() = default;
     Vec3(R x_, R y_, R z_) : x(x_), y(y_), z(z_) {}
-    explicit Vec3(glm::vec3 v) : x(v.x), y(v.y), z(v.z) {}
+    template<class Other>
+    explicit Vec3(const glm::tvec3<Other>& v) : x(v.x), y(v.y), z(v.z) {}
     template<class Other>
     explicit Vec3(const Vec3<Other>& v) : x(R(v.x)), y(R(v.y)), z(R(v.z)) {}
 

@@ -36,15 +36,11 @@ struct Shortcut {
 };
 std::ostream& operator<<(std::ostream& out, const Shortcut& shortcut) { return out << shortcut.name; }
 
-constexpr const char* kClosest = "    vec3 closest = ((toOrigin + tHigh * high) + tHigh * low) + "
-                                 "(tLow * direction + lostBy(toOrigin, origin, center));";
+constexpr const char* kClosest = "    vec3 closest = ((toOrigin + tHigh * high) + tHigh * low) + tLow * high;";
 const Shortcut kShortcuts[] = {
-    {"multipliesAtOnce", kClosest, "    vec3 closest = toOrigin + t * direction + lostBy(toOrigin, origin, center);"},
-    {"joinsTheHalvesOfDirection", kClosest,
-     "    vec3 closest = (toOrigin + tHigh * direction) + (tLow * direction + lostBy(toOrigin, origin, center));"},
-    {"addsTheSmallPartsFirst", kClosest,
-     "    vec3 closest = toOrigin + (tHigh * high + (tHigh * low + (tLow * direction + lostBy(toOrigin, origin, "
-     "center))));"},
+    {"multipliesAtOnce", kClosest, "    vec3 closest = toOrigin + t * direction - tLow * low;"},
+    {"joinsTheHalvesOfDirection", kClosest, "    vec3 closest = (toOrigin + tHigh * direction) + tLow * high;"},
+    {"addsTheSmallPartsFirst", kClosest, "    vec3 closest = toOrigin + (tHigh * high + (tHigh * low + tLow * high));"},
     {"takesTheLowHalfForNothing", "    vec3 low = opaque(direction - high);", "    vec3 low = vec3(0.0);"},
     {"takesTheDifferenceForExact", "    return (a - (difference - minusB)) - (b + minusB);", "    return vec3(0.0);"},
 };

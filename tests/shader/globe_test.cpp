@@ -6,7 +6,7 @@
 /// than 2^-22 D of the tangent point from tangency; t within 1 ulp + 2^-22 D / cosine; the surface point within
 /// 2^-22 D of the surface, and half an ulp of its own coordinates; normals within 3e-7 of the exact one.
 
-#include "tests/shader/oracle.h"
+#include "tests/oracle/scene_hit.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
 #include "tracer/lab/ray_batch.h"
@@ -23,6 +23,8 @@ namespace gnomon {
 namespace {
 
 using namespace test;
+using oracle::pixelRay;
+using oracle::Vec;
 using Real = long double;
 
 constexpr Real kPi = 3.14159265358979323846L;

@@ -1,6 +1,6 @@
 /// Outputs of the shader, read back as float32 and held against the oracle, pixel by pixel.
 
-#include "tests/shader/oracle.h"
+#include "tests/oracle/scene_hit.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
 
@@ -10,13 +10,13 @@
 #include <cstdio>
 #include <limits>
 #include <ostream>
-#include <random>
 #include <string>
 
 namespace gnomon {
 namespace {
 
 using namespace test;
+using namespace oracle;
 
 constexpr int kWidth = 120, kHeight = 90;
 
@@ -62,15 +62,15 @@ class PrimaryHits : public testing::TestWithParam<Case> {
         settings.target = GetParam().target;
         scene.camera.eye = GetParam().eye;
         scene.camera.target = GetParam().target;
-        const auto shapes = shapesAt(scene, settings.time);
+        const std::vector<SceneBody> bodies = bodiesOf(scene, settings.time);
         for (int y = 0; y < kHeight; ++y)
             for (int x = 0; x < kWidth; ++x) {
                 Vec origin, direction;
                 pixelRay(scene.camera, x, y, kWidth, kHeight, origin, direction);
-                exact.push_back(oracleHit(shapes, origin, direction));
+                exact.push_back(nearestHit(bodies, origin, direction));
             }
     }
-    const OracleHit& at(int x, int y) const { return exact[std::size_t(y) * kWidth + x]; }
+    const SceneHit& at(int x, int y) const { return exact[std::size_t(y) * kWidth + x]; }
     FloatImage output(Aov aov) { return outputOf(scene, settings, aov); }
     /// Calls `check(x, y, exact)` for the pixels whose answer does not hang on rounding; most must be such.
     template<typename Check>
@@ -78,7 +78,7 @@ class PrimaryHits : public testing::TestWithParam<Case> {
         int certain = 0;
         for (int y = 0; y < kHeight; ++y)
             for (int x = 0; x < kWidth; ++x) {
-                const OracleHit& hit = at(x, y);
+                const SceneHit& hit = at(x, y);
                 if (hit.margin < 40 * slack(hit.object < 0 ? 100 : hit.t)) continue;
                 ++certain;
                 check(x, y, hit);
@@ -88,22 +88,22 @@ class PrimaryHits : public testing::TestWithParam<Case> {
     }
 
     /// Which of two faces is met so near to an edge is rounding, and the faces' normals and slopes differ.
-    static bool atAnEdge(const OracleHit& hit) { return hit.edge < 40 * slack(hit.t); }
+    static bool atAnEdge(const SceneHit& hit) { return hit.edge < 40 * slack(hit.t); }
 
     Scene scene;
     Settings settings;
-    std::vector<OracleHit> exact;
+    std::vector<SceneHit> exact;
 };
 
 TEST_P(PrimaryHits, NameTheObjectThatTheOracleNames) {
     const FloatImage image = output(Aov::Object);
     eachCertainPixel(
-        [&](int x, int y, const OracleHit& hit) { EXPECT_EQ(int(*image.at(x, y)), hit.object) << x << ' ' << y; });
+        [&](int x, int y, const SceneHit& hit) { EXPECT_EQ(int(*image.at(x, y)), hit.object) << x << ' ' << y; });
 }
 
 TEST_P(PrimaryHits, LieAtTheOraclesDistance) {
     const FloatImage image = output(Aov::Distance);
-    eachCertainPixel([&](int x, int y, const OracleHit& hit) {
+    eachCertainPixel([&](int x, int y, const SceneHit& hit) {
         if (hit.object < 0) {
             EXPECT_TRUE(std::isinf(*image.at(x, y)));
             return;
@@ -118,7 +118,7 @@ TEST_P(PrimaryHits, LieAtTheOraclesDistance) {
 
 TEST_P(PrimaryHits, LieOnTheOraclesPoint) {
     const FloatImage image = output(Aov::Position);
-    eachCertainPixel([&](int x, int y, const OracleHit& hit) {
+    eachCertainPixel([&](int x, int y, const SceneHit& hit) {
         if (atAnEdge(hit)) return;
         Vec origin, direction;
         pixelRay(scene.camera, x, y, kWidth, kHeight, origin, direction);
@@ -131,7 +131,7 @@ TEST_P(PrimaryHits, LieOnTheOraclesPoint) {
 
 TEST_P(PrimaryHits, HaveTheOraclesNormal) {
     const FloatImage image = output(Aov::Normal);
-    eachCertainPixel([&](int x, int y, const OracleHit& hit) {
+    eachCertainPixel([&](int x, int y, const SceneHit& hit) {
         const float* n = image.at(x, y);
         const Vec normal(n[0], n[1], n[2]);
         if (hit.object < 0) {
@@ -162,96 +162,6 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{kConvex, 0, {-1.8, -1.2, 0}, {-2.6, -1.6, 0.5}, 100},  // in the capsule
                     Case{kConvex, 0, {1.5, -1.5, 0.1}, {1.2, -0.2, 0.4}, 100}), // in the cone
     [](const auto& test) { return nameOf(test.param.scene) + std::to_string(test.index); });
-
-/// What the headers of the shapes state as their error, in sizes (the radius of the bounding sphere).
-struct Bound {
-    const char* key;
-    double decision; ///< no wrong decision farther than this from tangency
-    double point;    ///< distance of the surface point from the surface
-    double t;        ///< ulp of the distance beyond what the point's error over the cosine explains
-};
-std::ostream& operator<<(std::ostream& out, const Bound& b) { return out << b.key; }
-
-class FromTenThousandUnits : public testing::TestWithParam<Bound> {};
-
-// The camera looks along -z from so far that the length of every direction rounds to 1 and each component is one exact
-// product: the rays are known to the last bit, and what differs from the oracle is the intersector's own error.
-TEST_P(FromTenThousandUnits, ErrorsAreWhatTheShapesFileStates) {
-    const Bound& bound = GetParam();
-    constexpr int kSide = 64;
-    constexpr double kFar = 1e4;
-    std::mt19937 random(7);
-    const auto number = [&] { return double(float(random() / 4294967296.0 * 2 - 1)); };
-    const auto list = [](glm::dvec3 v) {
-        char text[100];
-        std::snprintf(text, sizeof text, "[%.9g, %.9g, %.9g]", v.x, v.y, v.z);
-        return std::string(text);
-    };
-    long double wrong = 0, away = 0, late = 0;
-    int hits = 0;
-    for (int round = 0; round < 24; ++round) {
-        const glm::dvec3 a(number(), number(), number()), b(number(), number(), number());
-        const std::string key = bound.key, radius = std::to_string(0.15 + 0.25 * (1 + number()));
-        Scene scene =
-            sceneFrom(R"({"objects": [{")" + key + R"(": {)" +
-                      (key == "box" ? R"("center": )" + list(0.3 * a) + R"(, "half_size": )" + list(abs(b) + 0.05)
-                                    : R"("from": )" + list(a) + R"(, "to": )" + list(round == 0 ? -a : b) +
-                                          R"(, "radius": )" + radius) +
-                      "}}]}");
-        const Shape& shape = scene.objects[0].shape;
-        const double size =
-            key == "box" ? glm::length(pointOf(shape, "half_size"))
-                         : glm::distance(pointOf(shape, "from"), pointOf(shape, "to")) / 2 + lengthOf(shape, "radius");
-        glm::dvec3 eye(0.25 * number(), 0.25 * number(), kFar);
-        if (round % 2) { // close to a silhouette, to be found by bisection from the middle outwards
-            const glm::dvec3 middle = key == "box" ? 0.3 * a : 0.5 * (pointOf(shape, "from") + pointOf(shape, "to"));
-            const double turn = 6.3 * number();
-            const glm::dvec3 outwards(std::cos(turn), std::sin(turn), 0);
-            double low = 0, high = 3;
-            for (int k = 0; k < 50; ++k) {
-                eye = glm::dvec3(middle.x, middle.y, kFar) + (low + high) / 2 * outwards;
-                (oracleHit({shape}, Vec(eye), Vec(0, 0, -1)).object < 0 ? high : low) = (low + high) / 2;
-            }
-        }
-        scene.camera.eye = glm::dvec3(glm::vec3(eye));
-        scene.camera.target = glm::dvec3(scene.camera.eye.x, scene.camera.eye.y, 0);
-        scene.camera.fov = glm::degrees(2 * std::atan(round % 2 ? 1e-9 : 1.6e-4));
-        Settings settings;
-        settings.size = {kSide, kSide};
-        const FloatImage distance = outputOf(scene, settings, Aov::Distance);
-        const FloatImage position = outputOf(scene, settings, Aov::Position);
-        const CameraFrame frame = frameOf(scene.camera);
-        ASSERT_EQ(frame.forward, glm::dvec3(0, 0, -1));
-        const float scale = float(frame.halfHeight);
-        for (int y = 0; y < kSide; ++y)
-            for (int x = 0; x < kSide; ++x) {
-                const float u = (2 * float(x) + 1) / kSide - 1, v = 1 - (2 * float(y) + 1) / kSide;
-                const Vec ray(u * scale, v * scale, -1);
-                ASSERT_EQ(float(glm::dot(ray, ray)), 1.0f);
-                const long double length = glm::length(ray);
-                const OracleHit exact = oracleHit({shape}, Vec(scene.camera.eye), ray / length);
-                const float t = *distance.at(x, y);
-                if (std::isinf(t) != (exact.object < 0)) wrong = std::max(wrong, exact.margin / size);
-                if (std::isinf(t)) continue;
-                const float* p = position.at(x, y);
-                away = std::max(away, std::abs(signedDistance(shape, Vec(p[0], p[1], p[2]))) / size);
-                if (exact.object < 0) continue;
-                ++hits;
-                const long double cosine = std::abs(glm::dot(exact.normal, ray));
-                const long double excess = std::abs(t - exact.t / length) - bound.decision * size / cosine;
-                if (exact.edge > 1e-5L && exact.margin > 1e-5L) late = std::max(late, excess / 0x1p-10L);
-            }
-    }
-    EXPECT_GT(hits, 20000);
-    EXPECT_LE(double(wrong), bound.decision);
-    EXPECT_LE(double(away), bound.point);
-    EXPECT_LE(double(late), bound.t);
-}
-
-INSTANTIATE_TEST_SUITE_P(Convex, FromTenThousandUnits,
-                         testing::Values(Bound{"box", 0x1p-24, 0x1p-23, 1}, Bound{"cylinder", 0x1p-22, 0x1p-22, 1},
-                                         Bound{"capsule", 0x1p-22, 0x1p-22, 1}, Bound{"cone", 0x1p-22, 0x1p-22, 1}),
-                         [](const auto& test) { return std::string(test.param.key); });
 
 // The middle ray runs along -z exactly: parallel to faces, to axes and, on the tilted cone, to a line of its side.
 TEST(ParallelRays, MeetConvexBodiesWhereTheyAre) {

@@ -25,6 +25,7 @@ namespace gnomon {
 namespace {
 
 using namespace test;
+using namespace oracle;
 
 /// A quarter of one step of an eight-bit channel. The peak of a highlight may fall between the oracle's samples, at
 /// most 1/8 pixel from one: where a pixel turns the normal by a, that is specular * shininess * a² / 128 short of the

@@ -1,5 +1,8 @@
-/// The oracle against itself in 50 digits: what double and long double leave open is far below what it judges.
+/// The oracle against itself in 50 digits and with three times the samples: what double, long double and the steps
+/// along a ray leave open is far below what it judges. And the judge against answers that are right, and wrong in one
+/// thing.
 
+#include "tests/oracle/judge.h"
 #include "tests/oracle/subjects.h"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
@@ -25,7 +28,8 @@ TEST_P(Oracle, AnswersInDoubleAsIn50Digits) {
             for (int i = 0; i < 6; ++i) {
                 const BatchRay ray = stream.next();
                 const ExactHit<double> got = exactHit(body, lineOf(body, ray.origin, ray.direction));
-                const ExactHit<Digits50> exact = exactHit(wide, lineOf(wide, ray.origin, ray.direction));
+                const ExactHit<Digits50> exact =
+                    exactHit(wide, lineOf(wide, ray.origin, ray.direction), Digits50(0), 3);
                 const double tangency = std::min(double(exact.tangency), 1e-3); // no near decision beyond
                 EXPECT_NEAR(std::min(got.tangency, 1e-3), tangency, 1e-10) << nameOf(kind) << ' ' << distance;
                 if (tangency < 1e-10) continue;
@@ -42,6 +46,93 @@ TEST_P(Oracle, AnswersInDoubleAsIn50Digits) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Subjects, Oracle, testing::ValuesIn(subjects()),
+                         [](const auto& test) { return test.param.name(); });
+
+/// The exact answer, rounded to float32.
+BatchHit roundedAnswer(const Body<double>& body, const BatchRay& ray) {
+    const ExactHit<double> exact = exactHit(body, lineOf(body, ray.origin, ray.direction));
+    BatchHit answer;
+    if (!exact.hit) return answer;
+    answer.object = 0;
+    answer.t = float(exact.t);
+    answer.point = toFloat(body.middle() + Vec3<long double>(exact.point));
+    answer.normal = toFloat(exact.normal);
+    return answer;
+}
+
+class Judge : public testing::TestWithParam<Subject> {
+  protected:
+    Shape shape = placed(GetParam(), RayClass::Uniform, 10);
+    Body<double> body{shape};
+    std::vector<BatchRay> rays;
+    std::vector<BatchHit> answers;
+
+    void SetUp() override {
+        RayStream stream(shape, RayClass::Uniform, 10, 3);
+        for (int i = 0; i < 300; ++i) {
+            rays.push_back(i % 2 ? stream.next() : stream.towardsSurface());
+            answers.push_back(roundedAnswer(body, rays.back()));
+        }
+    }
+    /// Judges what `spoil` makes of every hit.
+    template<class Spoil>
+    Tally spoilt(const Spoil& spoil) const {
+        std::vector<BatchHit> worse = answers;
+        for (std::size_t i = 0; i < worse.size(); ++i)
+            if (worse[i].object == 0) spoil(worse[i], rays[i]);
+        return judgeAll(shape, rays, worse);
+    }
+};
+
+TEST_P(Judge, PassesExactAnswers) {
+    const Tally tally = judgeAll(shape, rays, answers);
+    EXPECT_TRUE(within(tally, boundsOf(shape.kind)))
+        << tally.wrong() << ' ' << tally.ray.worst << ' ' << tally.point.worst << ' ' << tally.normal.worst;
+    EXPECT_GT(tally.hits, 100);
+}
+
+TEST_P(Judge, TellsMissedAndInventedHits) {
+    const std::int64_t hits = judgeAll(shape, rays, answers).hits;
+    EXPECT_EQ(spoilt([](BatchHit& hit, const BatchRay&) { hit.object = -1; }).missed, hits);
+    std::vector<BatchHit> all = answers;
+    for (BatchHit& hit : all) hit.object = 0;
+    const Tally tally = judgeAll(shape, rays, all);
+    EXPECT_EQ(tally.invented, tally.decided - hits);
+}
+
+TEST_P(Judge, TellsAPointOfAnotherPlaceOfTheSurface) {
+    const std::int64_t hits = judgeAll(shape, rays, answers).hits;
+    const BatchHit other =
+        *std::find_if(answers.begin(), answers.end(), [](const auto& hit) { return hit.object == 0; });
+    const Tally tally = spoilt([&](BatchHit& hit, const BatchRay&) {
+        hit.point = other.point;
+        hit.normal = other.normal;
+    });
+    EXPECT_GE(tally.elsewhere, hits * 9 / 10); // but for those that are near it
+    EXPECT_LE(tally.point.worst, boundsOf(shape.kind).point) << "it is a point of the surface";
+}
+
+TEST_P(Judge, TellsTheFarSideOfAClosedBody) {
+    if (!body.closed()) return; // it has none
+    const std::int64_t hits = judgeAll(shape, rays, answers).hits;
+    const Tally tally = spoilt([&](BatchHit& hit, const BatchRay& ray) {
+        const Line<double> line = lineOf(body, ray.origin, ray.direction);
+        const ExactHit<double> exact = exactHit(body, line), far = exactHit(body, line, exact.s - line.start + 1e-5);
+        hit.t = float(far.t);
+    });
+    EXPECT_GE(tally.elsewhere, hits * 8 / 10); // but for short chords and second entries
+}
+
+TEST_P(Judge, TellsWhatIsNoNumberAndWhatIsNoObject) {
+    const std::int64_t hits = judgeAll(shape, rays, answers).hits;
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_GE(spoilt([&](BatchHit& hit, const BatchRay&) { hit.t = nan; }).elsewhere, hits);
+    EXPECT_GE(spoilt([&](BatchHit& hit, const BatchRay&) { hit.point.y = nan; }).elsewhere, hits);
+    EXPECT_GE(spoilt([&](BatchHit& hit, const BatchRay&) { hit.normal.z = nan; }).elsewhere, hits);
+    EXPECT_GE(spoilt([&](BatchHit& hit, const BatchRay&) { hit.object = 1; }).elsewhere, hits);
+}
+
+INSTANTIATE_TEST_SUITE_P(Subjects, Judge, testing::ValuesIn(subjects()),
                          [](const auto& test) { return test.param.name(); });
 
 } // namespace
