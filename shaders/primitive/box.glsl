@@ -2,9 +2,8 @@
 //
 // intersectBox  nearest t in (ray.tMin, t); from inside the far face
 // surfaceBox    point on the face that the ray crosses, exact in its own coordinates; each face shows uv 0 … 1 once
-// Error         t: 1 ulp of the distance + 2^-24 size / cosine; edge decisions wrong only within 2^-24 size of
-//               tangency; surface point within 2^-23 size of the surface; size: radius of the bounding sphere
-//               (measured from 1e4 units away, tests/shader/outputs_test.cpp)
+// Error         band 2^-23 size, ray 1.5 ulp, point 1 and normal 1 roundings, as docs/numerics.md names them
+//               (tests/shader/intersect_test.cpp)
 // Source        ray re-centred on the box (ray/split.glsl), then three slabs (primitive/convex.glsl); the surface takes the
 //               face whose slab decided, so that a face seen from outside always faces the ray
 // Limits        half sizes > 0; a ray within a face counts as inside of its slab

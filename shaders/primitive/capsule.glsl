@@ -2,9 +2,8 @@
 //
 // intersectCapsule  nearest t in (ray.tMin, t); from inside the far side
 // surfaceCapsule    point put back to `radius` from the stretch; u runs once around, v from the tip at `to` to that at `from`
-// Error             t: 1 ulp of the distance + 2^-22 size / cosine; edge decisions wrong only within 2^-22 size of
-//                   tangency; surface point within 2^-22 size of the surface; size: radius of the bounding sphere
-//                   (measured from 1e4 units away, tests/shader/outputs_test.cpp)
+// Error             band 2^-22 size, ray 1.5 ulp, point 2 and normal 2 roundings, as docs/numerics.md names them
+//                   (tests/shader/intersect_test.cpp)
 // Source            ray re-centred on the middle (ray/split.glsl), then the hull of the spans of its two spheres and of the
 //                   cylinder between them (primitive/convex.glsl)
 // Limits            radius > 0; from and to differ

@@ -2,8 +2,8 @@
 //
 // intersectDisc  t of the plane in (ray.tMin, t) where it lies within the radius
 // surfaceDisc    the point put back onto the plane; uv as in planar.glsl
-// Error          t: 1 ulp of the distance + 2^-22 radius / cosine; edge decisions wrong only within 2^-22 radius of the rim
-//                seen along the ray; surface point within 2^-22 of the distance from the centre off the plane
+// Error          band 2^-22 radius, ray 1.5 ulp, point 2 and normal 1 roundings, as docs/numerics.md names them
+//                (tests/shader/intersect_test.cpp)
 // Source         ray re-centred on the disc (ray/split.glsl), then the plane through its centre
 // Limits         normal is unit; radius > 0; a ray in the plane misses: edge-on a disc has no area
 #include "primitive/planar.glsl"

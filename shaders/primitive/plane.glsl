@@ -1,7 +1,8 @@
 // Plane: all points p with dot(p - point, normal) = 0.
 //
 // intersectPlane  t of the plane in (ray.tMin, t)
-// Error           t: 3 ulp of |origin - point| / |cos|
+// Error           o + t d is within 4 ulp of |origin - point| of the plane, the surface point within 2 * 2^-23 of its distance
+//                 from `point` (tests/shader/intersect_test.cpp)
 // Source          solved about the plane's own point (docs/numerics.md)
 // Limits          normal is unit; a ray in the plane misses
 #include "primitive/planar.glsl"

@@ -2,7 +2,8 @@
 //
 // intersectSphere  nearest t in (ray.tMin, t) along the unit direction; from inside the far side
 // surfaceSphere    point and normal exact to the radius' own rounding; uv = longitude, latitude (u = 0 at -x, v = 0 at +y)
-// Error            t - exact <= 1 ulp of the distance + 4 ulp of the radius; edge decisions wrong only within 2^-22 radius
+// Error            band 2^-22 radius, ray 1.5 ulp, point 2 and normal 2 roundings, as docs/numerics.md names them
+//                  (tests/shader/intersect_test.cpp)
 // Source           ray re-centred on the sphere (ray/split.glsl), then (r - |l|)(r + |l|) instead of r² - l²
 // Limits           radius > 0
 struct Sphere {

@@ -3,8 +3,8 @@
 // intersectTorus  nearest t in (ray.tMin, t)
 // surfaceTorus    point and normal exact to a few ulp of major + minor; u runs around the axis, v around the tube,
 //                 downward outside
-// Error           decisions wrong only within 2^-22 (major + minor) of tangency; t: 1.5 ulp of the distance
-//                 (1.8 for the worst of 300 000 rays from 3 units), from 10 units on 0.7
+// Error           band 2^-22 (major + minor), ray 1.5 ulp, point 2 and normal 2 roundings, as docs/numerics.md names them
+//                 (tests/shader/intersect_test.cpp)
 // Source          ray re-centred exactly (ray/split.glsl). Along the ray g(s) = (|xy| - major)² + z² - minor² is concave on
 //                 one interval about the axis and convex before and after it. g and g' at the ends of these three pieces
 //                 tell which can hold the nearest root, and Newton, started at the end where it converges from one side,

@@ -3,9 +3,8 @@
 // intersectTriangle  t in (ray.tMin, t); watertight: a ray through a shared edge or vertex hits at least one of the
 //                    triangles that share it
 // surfaceTriangle    the point from its barycentric weights: exact to the vertices' own rounding; uv = weights of b and c
-// Error              no leak through shared edges; edge decisions wrong only within 2^-22 of the extent of all the scene's
-//                    triangles; t: 1 ulp of the distance + 2^-22 of that extent over the cosine, a sliver's more by its
-//                    extent over its height
+// Error              no leak through shared edges; band 2^-22 of the extent of all triangles, ray 1.5 ulp times a sliver's size over
+//                    its height, point 2 and normal 1 roundings, as docs/numerics.md names them (tests/shader/intersect_test.cpp)
 // Source             S. Woop, C. Benthin, I. Wald, Watertight Ray/Triangle Intersection, JCGT 2(1) 2013; every edge function
 //                    is computed in one order of its two vertices, so that contraction to fused multiply-add cannot tell
 //                    the two triangles of an edge apart. The ray is re-centred on the middle of all triangles, one point for

@@ -120,6 +120,29 @@ TEST_P(Intersect, AnswersLikeTheOracleFromThreeToAHundredThousandSizes) {
     EXPECT_GE(hits, decided / 20) << "t, points and normals are judged where a ray hits";
 }
 
+// Directions are unit to float32 in pictures; an intersector asks no more than that they are not 0.
+TEST_P(Intersect, TakesDirectionsOfAnyLength) {
+    const Subject& subject = GetParam();
+    ASSERT_NO_FATAL_FAILURE(chooseGl());
+    const Shape shape = placed(subject, RayClass::Uniform, 100);
+    const Bounds bounds = boundsOf(subject.body.kind);
+    Problems problems;
+    RayBatch batch(sceneOf(shape), problems);
+    ASSERT_TRUE(batch.valid()) << toString(problems);
+    for (const float length : {0.37f, 2.9f}) {
+        RayStream stream(shape, RayClass::Uniform, 100, 9);
+        std::vector<BatchRay> rays(std::size_t(std::min<std::int64_t>(raysAShape(), 20000)));
+        for (BatchRay& ray : rays) {
+            ray = stream.next();
+            ray.direction *= length;
+        }
+        const Tally tally = judgeAll(shape, rays, batch.trace(rays));
+        EXPECT_EQ(tally.wrong(), 0) << length;
+        EXPECT_LE(tally.point.worst, bounds.point) << length;
+        EXPECT_LE(tally.normal.worst, bounds.normal) << length;
+    }
+}
+
 // A ray that leaves a surface starts from the point that an earlier ray found, and names the side it travels on: it
 // neither meets its own start again nor misses the rest of the body.
 TEST_P(Intersect, LetsARayLeaveTheSurfaceItStartsOn) {
