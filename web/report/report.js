@@ -69,6 +69,7 @@ function linesOf(chart, rows) {
 function drawChart(canvas, chart, columns, rows) {
   const axis = (key, log) => ({
     type: log ? 'logarithmic' : 'linear',
+    beginAtZero: true, // a ratio seen through a keyhole looks like a mountain range
     title: { display: true, text: [columns.get(key).title, columns.get(key).unit].filter(Boolean).join(', ') },
     ticks: { callback: (value) => (log && !Number.isInteger(Math.log10(value)) ? null : Number(value.toPrecision(3)).toLocaleString('en')) },
   });
