@@ -2,7 +2,7 @@
 //
 // intersectCapsule  nearest t in (ray.tMin, t); from inside the far side
 // surfaceCapsule    point put back to `radius` from the stretch; u runs once around, v from the tip at `to` to that at `from`
-// Error             band 2^-22 size, ray 1.5 ulp, point 2 and normal 2 roundings, as docs/numerics.md names them
+// Error             band 2^-22 size, ray 2 ulp, point 2 and normal 2 roundings, as docs/numerics.md names them
 //                   (tests/shader/intersect_test.cpp)
 // Source            ray re-centred on the middle (ray/split.glsl), then the hull of the spans of its two spheres and of the
 //                   cylinder between them (primitive/convex.glsl)

@@ -3,7 +3,7 @@
 // intersectCone  nearest t in (ray.tMin, t); from inside the far side
 // surfaceCone    point put back onto side or base; u runs once around, v from 0 at the apex to 1 at the base; the base shows
 //                uv 0 … 1 over the square about it
-// Error          band 2^-21 size, ray 1.5 ulp, point 2 and normal 2 roundings, as docs/numerics.md names them
+// Error          band 2^-21 size, ray 2 ulp, point 2 and normal 2 roundings, as docs/numerics.md names them
 //                (tests/shader/intersect_test.cpp)
 // Source         ray re-centred on the middle (ray/split.glsl). With w below the apex, x across the axis (x1 along the ray's
 //                own way across, x2 beside it) and the half angle's sine S and cosine C the side is C²x² - S²w² = 0, along
