@@ -46,6 +46,49 @@ Complaint checkAxis(const Shape& shape) {
             "move them at least " + toString(kShortest) + " apart"};
 }
 
+Extent about(glm::dvec3 center, glm::dvec3 reach) { return {center - reach, center + reach}; }
+Extent hull(const Extent& a, const Extent& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
+
+/// How far a unit circle across `axis` reaches along x, y and z. Not sqrt(1 - a²), which loses all of a slight tilt.
+glm::dvec3 circleReach(glm::dvec3 axis) {
+    const glm::dvec3 square = axis * axis;
+    return glm::sqrt(glm::dvec3(square.y + square.z, square.z + square.x, square.x + square.y)) / glm::length(axis);
+}
+
+Extent sphereExtent(const Shape& s) { return about(pointOf(s, "center"), glm::dvec3(lengthOf(s, "radius"))); }
+
+Extent discExtent(const Shape& s) {
+    return about(pointOf(s, "center"), lengthOf(s, "radius") * circleReach(pointOf(s, "normal")));
+}
+
+Extent triangleExtent(const Shape& s) {
+    const glm::dvec3 a(s.texels[0]), b(s.texels[1]), c(s.texels[2]);
+    return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
+}
+
+Extent torusExtent(const Shape& s) {
+    return about(pointOf(s, "center"),
+                 lengthOf(s, "major_radius") * circleReach(pointOf(s, "axis")) + lengthOf(s, "minor_radius"));
+}
+
+Extent boxExtent(const Shape& s) { return about(pointOf(s, "center"), pointOf(s, "half_size")); }
+
+Extent cylinderExtent(const Shape& s) {
+    const glm::dvec3 from = pointOf(s, "from"), to = pointOf(s, "to");
+    const glm::dvec3 reach = lengthOf(s, "radius") * circleReach(to - from);
+    return hull(about(from, reach), about(to, reach));
+}
+
+Extent capsuleExtent(const Shape& s) {
+    const glm::dvec3 reach(lengthOf(s, "radius"));
+    return hull(about(pointOf(s, "from"), reach), about(pointOf(s, "to"), reach));
+}
+
+Extent coneExtent(const Shape& s) {
+    const glm::dvec3 from = pointOf(s, "from"), to = pointOf(s, "to");
+    return hull(about(from, lengthOf(s, "radius") * circleReach(to - from)), {to, to});
+}
+
 const std::array<ShapeRow, kShapeKinds>& rows() {
     using enum FieldType;
     // clang-format off
@@ -53,45 +96,45 @@ const std::array<ShapeRow, kShapeKinds>& rows() {
         {ShapeKind::Sphere, "sphere", "Sphere", 1,
          {{"center", Point, 0, 0, "Centre"},
           {"radius", Length, 0, 3, "Radius"}},
-         nothingWrong},
+         nothingWrong, sphereExtent},
         {ShapeKind::Plane, "plane", "Plane", 2,
          {{"point", Point, 0, 0, "Any point of the plane"},
           {"normal", Direction, 1, 0, "Direction across the plane, of any length"}},
-         nothingWrong},
+         nothingWrong, nullptr},
         {ShapeKind::Disc, "disc", "Disc", 2,
          {{"center", Point, 0, 0, "Centre"},
           {"normal", Direction, 1, 0, "Direction across the disc, of any length"},
           {"radius", Length, 0, 3, "Radius"}},
-         nothingWrong},
+         nothingWrong, discExtent},
         {ShapeKind::Triangle, "triangle", "Triangle", 3,
          {{"vertices", Vertices, 0, 0, "Three points a, b, c; the outside is where cross(b - a, c - a) points"}},
-         checkTriangle},
+         checkTriangle, triangleExtent},
         {ShapeKind::Torus, "torus", "Torus", 2,
          {{"center", Point, 0, 0, "Centre of the hole"},
           {"axis", Direction, 1, 0, "Direction through the hole, of any length"},
           {"major_radius", Length, 0, 3, "From the centre to the middle of the tube"},
           {"minor_radius", Length, 1, 3, "Radius of the tube, less than major_radius"}},
-         checkTorus},
+         checkTorus, torusExtent},
         {ShapeKind::Box, "box", "Box", 2,
          {{"center", Point, 0, 0, "Centre"},
           {"half_size", Lengths, 1, 0, "From the centre to the faces across x, y and z"}},
-         nothingWrong},
+         nothingWrong, boxExtent},
         {ShapeKind::Cylinder, "cylinder", "Cylinder", 2,
          {{"from", Point, 0, 0, "Centre of one end"},
           {"to", Point, 1, 0, "Centre of the other end"},
           {"radius", Length, 0, 3, "Radius"}},
-         checkAxis},
+         checkAxis, cylinderExtent},
         {ShapeKind::Capsule, "capsule", "Capsule", 2,
          {{"from", Point, 0, 0, "Centre of the round end"},
           {"to", Point, 1, 0, "Centre of the other round end"},
           {"radius", Length, 0, 3, "Radius of the ends and of the cylinder between them"}},
-         checkAxis},
+         checkAxis, capsuleExtent},
         {ShapeKind::Cone, "cone", "Cone", 2,
          {{"from", Point, 0, 0, "Centre of the base"},
           {"to", Point, 1, 0, "Apex"},
           {"radius", Length, 0, 3, "Radius of the base"}},
-         checkAxis},
-        {ShapeKind::Globe, "globe", "Globe", 2, {}, nothingWrong}, // packed by globeOf()
+         checkAxis, coneExtent},
+        {ShapeKind::Globe, "globe", "Globe", 2, {}, nothingWrong, nullptr}, // packed by globeOf()
     }};
     // clang-format on
     return table;

@@ -40,6 +40,11 @@ struct ShapeField {
 
 struct Shape; // below
 
+/// A box along the axes.
+struct Extent {
+    glm::dvec3 low, high;
+};
+
 struct ShapeRow {
     ShapeKind kind;
     std::string_view key;  ///< in scene files, and the file's name: shaders/primitive/KEY.glsl
@@ -48,6 +53,8 @@ struct ShapeRow {
     std::vector<ShapeField> fields; ///< all required
     /// What is wrong with a shape whose fields are each right; {} where nothing is. {what, remedy}
     std::array<std::string, 2> (*check)(const Shape&);
+    /// The smallest box about the shape; null where it has no end, as a plane, or is told otherwise, as a globe.
+    Extent (*extent)(const Shape&);
 };
 
 /// One shape, its fields packed as the shader reads them.

@@ -1,0 +1,132 @@
+// Boxes of shapes against their exact distances: they hold every point of the surface, and not much more.
+#include "tracer/accel/bounds.h"
+
+#include "tests/oracle/subjects.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gnomon {
+namespace {
+
+using oracle::Body;
+using oracle::RayClass;
+using oracle::RayStream;
+using Vec = oracle::Vec3<double>;
+
+constexpr int kPoints = 1'000'000; ///< of each shape's surface
+
+/// What rounding or a careless formula would get wrong.
+std::vector<Shape> hardShapes(ShapeKind kind) {
+    const auto make = [kind](glm::dvec4 a, glm::dvec4 b) { return Shape{kind, {a, b, glm::dvec4(0)}}; };
+    switch (kind) {
+    case ShapeKind::Disc: return {make({0, 3, 0, 30}, glm::dvec4(glm::normalize(glm::dvec3(1e-4, 1, 2e-6)), 0))};
+    case ShapeKind::Torus: return {make({0.1, 0.1, 0.1, 1}, glm::dvec4(glm::normalize(glm::dvec3(3e-5, 0, 1)), 1e-6))};
+    case ShapeKind::Cylinder: // the rounding of its ends turns it
+        return {make({1000.3, 2.1, 1.7, 5}, {1000.3001, 2.10003, 1.7, 0}), make({0, 0, 0, 1e-6}, {1, 1, 1e-3, 0})};
+    case ShapeKind::Cone: return {make({1000.3, 2.1, 1.7, 5}, {1000.3001, 2.10003, 1.7, 0})};
+    default: return {};
+    }
+}
+
+/// Turned and off the origin, upright in it, far from it, and hard ones.
+std::vector<Shape> shapesOf(ShapeKind kind) {
+    std::vector<Shape> shapes = hardShapes(kind);
+    for (const oracle::Subject& subject : oracle::subjects()) {
+        if (subject.body.kind != kind) continue;
+        shapes.push_back(placed(subject, RayClass::Uniform, 1));
+        shapes.push_back(placed(subject, RayClass::Axis, 1));
+        shapes.push_back(placed(subject, RayClass::Inside, 1e4));
+    }
+    return shapes;
+}
+
+class BoundsOfShape : public testing::TestWithParam<ShapeKind> {};
+
+TEST_P(BoundsOfShape, HoldEveryPointOfTheSurface) {
+    const std::vector<Shape> shapes = shapesOf(GetParam());
+    for (const Shape& shape : shapes) {
+        const Body<double> body(shape);
+        const Bounds box = *boundsOf(shape);
+        const auto band = (long double)(0x1p-21 * body.size());
+        RayStream stream(shape, RayClass::Uniform, 3, 1);
+        int outside = 0;
+        for (int n = kPoints / int(shapes.size()); n > 0; --n) {
+            oracle::Vec3<long double> p = body.middle() + oracle::Vec3<long double>(stream.surface().point);
+            for (int i = 0; i < 3; ++i) outside += !(p[i] - band >= box.low[i] && p[i] + band <= box.high[i]);
+        }
+        EXPECT_EQ(outside, 0) << "of " << kPoints / int(shapes.size());
+    }
+}
+
+using Far = oracle::Vec3<long double>;
+using FarBody = Body<long double>;
+
+/// The nearest point of the shape: of a disc that of its rim.
+Far ontoShape(const FarBody& body, const Far& p) {
+    if (body.kind() != ShapeKind::Disc) return p - body.distance(p) * body.normal(p);
+    return body.radius() * unit(p - dot(p, body.axis()) * body.axis());
+}
+
+/// How far the shape reaches at least from its middle that way: the point of it nearest to one far off that way is
+/// nearly the farthest, and from there nearer ones lead on.
+long double reach(const FarBody& body, Far p, const Far& way) {
+    long double most = -1e30L;
+    if (body.kind() == ShapeKind::Triangle) {
+        for (int i = 0; i < 3; ++i) most = std::max(most, dot(body.vertex(i), way));
+        return most;
+    }
+    for (long double step = 1e6L * body.size(); step > 1e-5L * body.size(); step *= 0.9L) {
+        p = p + step * way;
+        for (int i = 0; i < 3; ++i) p = ontoShape(body, p);
+        // The surface is no farther from p than its distance says.
+        most = std::max(most, dot(p, way) - std::abs(body.distance(p)));
+    }
+    return most;
+}
+
+TEST_P(BoundsOfShape, TouchTheSurfaceBut2ToTheMinus19OfTheSizeAndFourRoundings) {
+    for (const Shape& shape : shapesOf(GetParam())) {
+        const FarBody body(shape);
+        const Bounds box = *boundsOf(shape);
+        Far middle = body.middle();
+        const long double farthest =
+            std::max({std::abs(middle.x), std::abs(middle.y), std::abs(middle.z)}) + body.size();
+        const long double most = 0x1p-19L * body.size() + 4 * 0x1p-23L * farthest;
+        RayStream stream(shape, RayClass::Uniform, 3, 2);
+        for (int face = 0; face < 6; ++face) {
+            const int axis = face / 2;
+            Far way;
+            way[axis] = face % 2 ? 1 : -1;
+            const long double bound = face % 2 ? box.high[axis] - middle[axis] : middle[axis] - box.low[axis];
+            long double room = 1e30L;
+            for (int start = 0; start < 5; ++start)
+                room = std::min(room, bound - reach(body, Far(stream.surface().point), way));
+            EXPECT_LE(room, most) << "face " << face;
+            EXPECT_GE(room, 0x1p-21L * body.size()) << "face " << face;
+        }
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, BoundsOfShape,
+                         testing::Values(ShapeKind::Sphere, ShapeKind::Disc, ShapeKind::Triangle, ShapeKind::Torus,
+                                         ShapeKind::Box, ShapeKind::Cylinder, ShapeKind::Capsule, ShapeKind::Cone),
+                         [](const auto& test) { return std::string(shapeRow(test.param).type); });
+
+TEST(Bounds, AreNoneOfWhatHasNoEnd) {
+    EXPECT_FALSE(boundsOf({ShapeKind::Plane, {glm::dvec4(0), glm::dvec4(0, 1, 0, 0), glm::dvec4(0)}}));
+    const Shape sphere{ShapeKind::Sphere, {glm::dvec4(0, -1e4, 0, 1e4), glm::dvec4(0), glm::dvec4(0)}};
+    EXPECT_FALSE(boundsOf(drawnAs(ShapeKind::Globe, sphere, {0, 1, 0})));
+}
+
+TEST(Bounds, EmptyOnesAddNothing) {
+    const Bounds box{{1, 2, 3}, {4, 5, 6}};
+    EXPECT_EQ(merged(Bounds{}, box), box);
+    EXPECT_EQ(merged(box, Bounds{}), box);
+    EXPECT_EQ(merged(box, {{0, 3, 3}, {2, 9, 4}}), (Bounds{{0, 2, 3}, {4, 9, 6}}));
+    EXPECT_EQ(halfArea(box), 27);
+}
+
+} // namespace
+} // namespace gnomon
