@@ -1,12 +1,10 @@
 /// Bounding volume hierarchy: a binary tree of boxes, so that a ray asks only the primitives that it comes near.
 ///
-/// build   splits by the surface area heuristic: over all splits of the sorted primitives where they are few, of 32
-/// bins
-///         an axis where they are many. No recursion; the same boxes give the same tree everywhere
-/// refit   new boxes for the same tree, from the last node to the first: what moving primitives need each frame.
-/// spoilt()
-///         says by how much the tree has become worse than when it was built
-/// Source  Goldsmith and Salmon 1987; Wald, On fast Construction of SAH-based Bounding Volume Hierarchies, 2007
+/// build    splits by the surface area heuristic: over all splits of the sorted primitives where they are few, of 32
+///          bins an axis where they are many. No recursion; the same boxes give the same tree everywhere
+/// refit    new boxes for the same tree, from the last node to the first: what moving primitives need each frame
+/// spoilt   by how much the tree has become worse than when it was built
+/// Source   Goldsmith and Salmon 1987; Wald, On fast Construction of SAH-based Bounding Volume Hierarchies, 2007
 ///
 /// A node is read in depth-first order: where a ray misses the box, or the node is a leaf, it goes on at `skip`, else
 /// at the next node, which is the first child; the second is where the first one's skip leads. No stack is needed, and
