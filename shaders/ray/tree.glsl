@@ -8,8 +8,11 @@
 //         Texture Level of Detail Strategies for Real-Time Ray Tracing, Ray Tracing Gems 2019
 #if RAY_STACK
 const int kMaxRays = 255; // all nodes of a binary tree of the largest depth
+// A greater depth may stand in the frame block while the program with the larger stack compiles.
+int deepest() { return min(frame.limits.x, kRayStack + 1); }
 #else
 const int kMaxRays = 8;
+int deepest() { return frame.limits.x; }
 #endif
 
 struct Path {
@@ -24,21 +27,22 @@ vec3 stackOrigin[kRayStack];
 vec3 stackDirection[kRayStack];
 vec3 stackShare[kRayStack];
 vec2 stackPencil[kRayStack];
-ivec3 stackTag[kRayStack]; // self, side, depth
+int stackTag[kRayStack]; // self, depth and side in one: each entry's numbers are registers of every pixel
 
 void pushRay(inout int size, Ray ray, Path path) {
     stackOrigin[size] = ray.origin;
     stackDirection[size] = ray.direction;
     stackShare[size] = path.share;
     stackPencil[size] = vec2(path.width, path.spread);
-    stackTag[size] = ivec3(ray.self, int(ray.side), path.depth);
+    stackTag[size] = (ray.self << 5) | (path.depth << 1) | int(ray.side > 0.0);
     ++size;
 }
 
 void popRay(inout int size, out Ray ray, out Path path) {
     --size;
-    ray = rayFrom(stackOrigin[size], stackDirection[size], stackTag[size].x, float(stackTag[size].y));
-    path = Path(stackShare[size], stackTag[size].z, stackPencil[size].x, stackPencil[size].y);
+    int tag = stackTag[size];
+    ray = rayFrom(stackOrigin[size], stackDirection[size], tag >> 5, (tag & 1) == 1 ? 1.0 : -1.0);
+    path = Path(stackShare[size], (tag >> 1) & 15, stackPencil[size].x, stackPencil[size].y);
 }
 #endif
 
@@ -102,11 +106,10 @@ vec3 traceTree(Ray ray, float pixelAngle) {
                 normal = outside ? normal : -normal;
             }
 #endif
-            color += path.share * shade(material, surface, object, facing, normal, -ray.direction, tint, path.share);
+            vec3 incoming = ray.direction;
+            vec3 share = path.share;
 #if REFLECTION
-            if (material.optics != kPlain && path.depth < frame.limits.x) {
-                vec3 incoming = ray.direction;
-                vec3 share = path.share;
+            if (material.optics != kPlain && path.depth < deepest()) {
                 float side = outside ? 1.0 : -1.0;
                 float facingRatio = max(-dot(incoming, normal), 0.0);
                 vec3 mirror = reflectance(material, facingRatio, uv, reach);
@@ -139,6 +142,8 @@ vec3 traceTree(Ray ray, float pixelAngle) {
                 }
             }
 #endif
+            // After the next ray, so that what only that ray needs holds no registers while shadow rays run.
+            color += share * shade(material, surface, object, facing, normal, -incoming, tint, share);
         }
         if (follow) continue;
 #if RAY_STACK

@@ -9,13 +9,14 @@ vec3 shade(Material material, Surface surface, int self, vec3 facing, vec3 norma
     vec3 color = (material.emission + material.ambient) * tint;
 #if LIGHTS
     if (all(equal(material.diffuse + material.specular, vec3(0.0)))) return color;
+    vec3 albedo = material.diffuse * tint;
     for (int i = 0; i < kLightCount; ++i) {
         Light light = loadLight(i);
         vec3 toLight = light.position - surface.point;
         vec3 direction = toLight * inversesqrt(max(dot(toLight, toLight), 1e-30));
         float cosine = dot(normal, direction);
         if (cosine <= 0.0 || dot(facing, direction) <= 0.0) continue;
-        vec3 diffuse = clamp(material.diffuse * tint * cosine, 0.0, 1.0);
+        vec3 diffuse = clamp(albedo * cosine, 0.0, 1.0);
         vec3 between = direction + toEye;
         float highlight = max(dot(normal, between) * inversesqrt(max(dot(between, between), 1e-30)), 0.0);
         vec3 specular = highlight > 0.0 ? clamp(material.specular * pow(highlight, material.shininess), 0.0, 1.0) : vec3(0.0);

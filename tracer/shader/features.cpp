@@ -7,7 +7,10 @@
 namespace gnomon {
 namespace {
 
-constexpr int kDeepestTree = 8; // the largest depth a user can choose: depth itself stays a uniform
+/// Entries of the stack for trees of that depth. The depth itself stays a uniform; two sizes, since a GPU holds the
+/// stack in registers of every pixel (docs/results.md), and a shader for each depth would compile at every press of a
+/// key.
+int stackFor(int depth) { return depth <= 4 ? 3 : 7; }
 
 std::vector<KindCount> countKinds(const Scene& scene) {
     std::array<KindCount, kShapeKinds> counts{};
@@ -56,7 +59,7 @@ Features featuresOf(const Scene& scene, const Settings& settings, int maxBlockTe
     for (std::size_t i = 0; i < used.size(); ++i)
         if (used[i]) addMaterial(scene.materials[i], settings, features);
     features.reflection = features.conductors || features.refraction || features.coats;
-    features.rayStack = features.refraction ? kDeepestTree - 1 : 0;
+    features.rayStack = features.refraction ? stackFor(settings.depth) : 0;
     features.cubemap = !scene.background.cubemap.empty();
     features.shadows = features.lights > 0 ? settings.shadows : ShadowModel::Off;
     if (settings.glow)
