@@ -9,14 +9,6 @@ namespace {
 
 constexpr int kPairs = 5;
 
-Scene sceneOf(const std::vector<Shape>& shapes) {
-    Scene scene;
-    scene.materials.resize(1);
-    scene.objects.resize(shapes.size());
-    for (std::size_t i = 0; i < shapes.size(); ++i) scene.objects[i].shape = shapes[i];
-    return scene;
-}
-
 bool same(const Shape& a, const Shape& b) { return a.kind == b.kind && a.texels == b.texels; }
 
 bool same(const std::vector<Shape>& a, const std::vector<Shape>& b) {

@@ -70,6 +70,14 @@ const std::vector<Subject>& subjects() {
     return all;
 }
 
+Scene sceneOf(const std::vector<Shape>& shapes) {
+    Scene scene;
+    scene.materials.resize(1);
+    scene.objects.resize(shapes.size());
+    for (std::size_t i = 0; i < shapes.size(); ++i) scene.objects[i].shape = shapes[i];
+    return scene;
+}
+
 std::string_view nameOf(RayClass kind) {
     switch (kind) {
     case RayClass::Uniform: return "uniform";

@@ -3,6 +3,7 @@
 
 #include "tests/oracle/exact_hit.h"
 #include "tracer/lab/ray_batch.h"
+#include "tracer/scene/scene.h"
 
 #include <array>
 #include <cstdint>
@@ -24,6 +25,9 @@ struct Subject {
     }
 };
 const std::vector<Subject>& subjects();
+
+/// Nothing but these, as RayBatch takes it.
+Scene sceneOf(const std::vector<Shape>&);
 
 enum class RayClass {
     Uniform, ///< from `distance` away towards the bounding sphere

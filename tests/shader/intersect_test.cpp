@@ -4,6 +4,7 @@
 /// Bounds are those that the shapes' files state (tests/oracle/judge.cpp holds them). GNOMON_RAYS says how many rays a
 /// shape gets: 200 000 by default, `scripts/test shader --long` asks for 10 million.
 
+#include "tests/oracle/fan.h"
 #include "tests/oracle/judge.h"
 #include "tests/oracle/subjects.h"
 #include "tests/support/offscreen.h"
@@ -50,14 +51,6 @@ int cellsOf(std::string_view shape) {
     return cells;
 }
 
-Scene sceneOf(const Shape& shape) {
-    Scene scene;
-    scene.materials.resize(1);
-    scene.objects.resize(1);
-    scene.objects[0].shape = shape;
-    return scene;
-}
-
 } // namespace
 
 namespace oracle {
@@ -90,7 +83,7 @@ TEST_P(Intersect, AnswersLikeTheOracleFromThreeToAHundredThousandSizes) {
             if (!fits(kind, subject)) continue;
             const Shape shape = placed(subject, kind, distance);
             Problems problems;
-            RayBatch batch(sceneOf(shape), problems);
+            RayBatch batch(sceneOf({shape}), problems);
             ASSERT_TRUE(batch.valid()) << toString(problems);
             RayStream stream(shape, kind, distance, std::uint64_t(distance) + std::uint64_t(kind));
             for (std::int64_t done = 0; done < each; done += 200000) {
@@ -127,7 +120,7 @@ TEST_P(Intersect, TakesDirectionsOfAnyLength) {
     const Shape shape = placed(subject, RayClass::Uniform, 100);
     const Bounds bounds = boundsOf(subject.body.kind);
     Problems problems;
-    RayBatch batch(sceneOf(shape), problems);
+    RayBatch batch(sceneOf({shape}), problems);
     ASSERT_TRUE(batch.valid()) << toString(problems);
     for (const float length : {0.37f, 2.9f}) {
         RayStream stream(shape, RayClass::Uniform, 100, 9);
@@ -151,7 +144,7 @@ TEST_P(Intersect, LetsARayLeaveTheSurfaceItStartsOn) {
     const Shape shape = placed(subject, RayClass::Uniform, 10);
     const Body<double> body(shape);
     Problems problems;
-    RayBatch batch(sceneOf(shape), problems);
+    RayBatch batch(sceneOf({shape}), problems);
     ASSERT_TRUE(batch.valid()) << toString(problems);
     RayStream stream(shape, RayClass::Uniform, 10, 7);
     std::vector<BatchRay> first(std::size_t(raysAShape() / 6));
@@ -245,7 +238,7 @@ TEST_P(IntersectMutant, TurnsTheJudgeRed) {
     std::vector<BatchRay> rays(20000);
     for (BatchRay& ray : rays) ray = stream.next();
     Problems problems;
-    RayBatch sound(sceneOf(shape), problems), mutated(sceneOf(shape), problems, overrides);
+    RayBatch sound(sceneOf({shape}), problems), mutated(sceneOf({shape}), problems, overrides);
     ASSERT_TRUE(sound.valid() && mutated.valid()) << toString(problems);
     const Tally good = judgeAll(shape, rays, sound.trace(rays)), bad = judgeAll(shape, rays, mutated.trace(rays));
     for (const Tally* tally : {&good, &bad})
@@ -259,47 +252,21 @@ TEST_P(IntersectMutant, TurnsTheJudgeRed) {
 INSTANTIATE_TEST_SUITE_P(Mutants, IntersectMutant, testing::ValuesIn(kMutants),
                          [](const auto& test) { return std::string(test.param.name); });
 
-/// A fan of triangles about a vertex: the rays go exactly through its edges and its middle.
 class Watertight : public testing::TestWithParam<glm::dvec3> {};
 
 TEST_P(Watertight, LetsNoRayThroughAnEdgeOrAVertex) {
-    const glm::dvec3 middle = GetParam();
-    const int spokes = 6;
-    std::vector<glm::vec3> rim;
-    std::string objects;
-    std::mt19937_64 random(3);
-    const auto number = [&](double low, double high) { return low + (high - low) * double(random() >> 11) * 0x1p-53; };
-    for (int i = 0; i < spokes; ++i) {
-        const double angle = 6.283185307179586 * i / spokes;
-        rim.emplace_back(middle + glm::dvec3(std::cos(angle), std::sin(angle), number(-0.3, 0.3)));
-    }
-    const auto text = [](glm::dvec3 v) {
-        char buffer[120];
-        std::snprintf(buffer, sizeof buffer, "[%.17g, %.17g, %.17g]", v.x, v.y, v.z);
-        return std::string(buffer);
-    };
-    for (int i = 0; i < spokes; ++i)
-        objects += (i ? "," : "") + (R"({"triangle": {"vertices": [)" + text(glm::vec3(middle))) + "," + text(rim[i]) +
-                   "," + text(rim[(i + 1) % spokes]) + "]}}";
     ASSERT_NO_FATAL_FAILURE(chooseGl());
+    Fan fan(GetParam());
     Problems problems;
-    RayBatch batch(sceneFrom(R"({"objects": [)" + objects + "]}"), problems);
+    RayBatch batch(sceneOf(fan.triangles()), problems);
     ASSERT_TRUE(batch.valid()) << toString(problems);
-    // The origin is on a coarse grid and the direction a difference of floats, so that edges are met as exactly as they
-    // can be.
-    const auto count = std::size_t(raysAShape());
-    std::vector<BatchRay> rays(count);
-    for (std::size_t i = 0; i < rays.size(); ++i) {
-        const float along = i % 4 == 0 ? 0.0f : float(number(0, 0.9));
-        const glm::vec3 center(middle);
-        const glm::vec3 aim = center + along * (rim[i % spokes] - center);
-        const glm::vec3 away(float(number(-2, 2)), float(number(-2, 2)), float(number(3, 9)));
-        rays[i].origin = aim + away;
-        rays[i].direction = glm::normalize(aim - rays[i].origin);
+    for (const double distance : {5.0, 500.0}) {
+        std::vector<BatchRay> rays(std::size_t(raysAShape()), BatchRay{});
+        for (BatchRay& ray : rays) ray = fan.next(distance);
+        int leaks = 0;
+        for (const BatchHit& hit : batch.trace(rays)) leaks += hit.object < 0;
+        EXPECT_EQ(leaks, 0) << distance;
     }
-    int leaks = 0;
-    for (const BatchHit& hit : batch.trace(rays)) leaks += hit.object < 0;
-    EXPECT_EQ(leaks, 0);
 }
 
 INSTANTIATE_TEST_SUITE_P(Places, Watertight, testing::Values(glm::dvec3(0), glm::dvec3(148376, 1234, -223423)),
