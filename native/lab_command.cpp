@@ -12,7 +12,6 @@
 #include <atomic>
 #include <csignal>
 #include <cstdio>
-#include <ctime>
 #include <memory>
 #include <unistd.h>
 
@@ -43,13 +42,6 @@ std::atomic<bool> interrupted{false};
 extern "C" void interrupt(int) {
     interrupted = true;
     std::signal(SIGINT, SIG_DFL); // once more ends the program
-}
-
-/// CPU time of all threads: a GL in software is measured by it even on a busy machine.
-double processSeconds() {
-    timespec time{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
 }
 
 bool isSoftware(const std::string& renderer) {

@@ -3,7 +3,7 @@
 // intersectCylinder  nearest t in (ray.tMin, t); from inside the far side
 // surfaceCylinder    point put back onto side or end; u runs once around, v from 0 at `to` to 1 at `from`; each end shows
 //                    uv 0 … 1 over the square about it
-// Error              band 2^-22 size, ray 2 ulp, point 2 and normal 2 roundings, as docs/numerics.md names them
+// Error              band 2^-22 size, ray 1.5 ulp, point 2 and normal 2 roundings, as docs/numerics.md names them
 //                    (tests/shader/intersect_test.cpp)
 // Source             ray re-centred on the middle (ray/split.glsl), then the common part of a round span across the axis and
 //                    a slab along it (primitive/convex.glsl)

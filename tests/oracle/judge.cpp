@@ -31,7 +31,7 @@ Bounds boundsOf(ShapeKind kind) {
     case ShapeKind::Sphere:
     case ShapeKind::Torus: return {0x1p-22, 1.5, 2, 2};
     case ShapeKind::Box: return {0x1p-23, 1.5, 1, 1};
-    case ShapeKind::Cylinder:
+    case ShapeKind::Cylinder: return {0x1p-22, 1.5, 2, 2};
     case ShapeKind::Capsule: return {0x1p-22, 2, 2, 2};
     case ShapeKind::Cone: return {0x1p-21, 2, 2, 2};
     case ShapeKind::Disc: return {0x1p-22, 1.5, 2, 1};

@@ -8,13 +8,13 @@
 #include "tests/naive/naive.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
+#include "tracer/clock.h"
 #include "tracer/lab/ray_batch.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <ctime>
 #include <functional>
 #include <random>
 
@@ -65,12 +65,6 @@ std::vector<BatchRay> raysInto(const Body& body, double distance, int count) {
     return rays;
 }
 
-double cpuSeconds() {
-    timespec time{};
-    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-    return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
-}
-
 struct Ratio {
     double median = 0, low = 0, high = 0; ///< low and high: quarter and three quarters of the runs
     double ours = 0;                      ///< seconds, median
@@ -100,8 +94,8 @@ Ratio intersectCost(const Body& body, double distance) {
     EXPECT_EQ(toString(problems), "");
     if (!ours.valid() || !textbook.valid()) return {};
     const std::vector<BatchRay> rays = raysInto(body, distance, count);
-    const Ratio ratio = ratioOf([&] { return ours.seconds(rays, repeats, cpuSeconds); },
-                                [&] { return textbook.seconds(rays, repeats, cpuSeconds); });
+    const Ratio ratio = ratioOf([&] { return ours.seconds(rays, repeats, processSeconds); },
+                                [&] { return textbook.seconds(rays, repeats, processSeconds); });
     char what[64];
     std::snprintf(what, sizeof what, "%s from %g units", body.name, distance);
     print(what, ratio, 1e9 / (double(count) * repeats), "ns a ray");
@@ -149,10 +143,10 @@ TEST(RayBatch, TimesEveryRepeatOfEveryRay) {
     ASSERT_TRUE(batch.valid()) << toString(problems);
     const std::vector<BatchRay> few = raysInto(kTorus, 3, 512 * 64), many = raysInto(kTorus, 3, 512 * 600);
     const std::vector<BatchHit> before = batch.trace(few);
-    const Ratio repeats =
-        ratioOf([&] { return batch.seconds(few, 32, cpuSeconds); }, [&] { return batch.seconds(few, 8, cpuSeconds); });
-    const Ratio rays =
-        ratioOf([&] { return batch.seconds(many, 2, cpuSeconds); }, [&] { return batch.seconds(few, 2, cpuSeconds); });
+    const Ratio repeats = ratioOf([&] { return batch.seconds(few, 32, processSeconds); },
+                                  [&] { return batch.seconds(few, 8, processSeconds); });
+    const Ratio rays = ratioOf([&] { return batch.seconds(many, 2, processSeconds); },
+                               [&] { return batch.seconds(few, 2, processSeconds); });
     EXPECT_NEAR(repeats.median, 4, 1);
     EXPECT_NEAR(rays.median, 600.0 / 64, 3);
     const std::vector<BatchHit> after = batch.trace(few);
@@ -190,9 +184,9 @@ TEST(CostOfTheTorus, IsLittleOfAFrame) {
     const Scene scene = sceneNamed("torus");
     Drawing ours(scene, settings), textbook(scene, settings, {&*torus, 1});
     const auto frame = [](Drawing& drawing) {
-        const double start = cpuSeconds();
+        const double start = processSeconds();
         drawing.picture();
-        return cpuSeconds() - start;
+        return processSeconds() - start;
     };
     frame(ours), frame(textbook); // compiles for this target
     const Ratio ratio = ratioOf([&] { return frame(ours); }, [&] { return frame(textbook); });

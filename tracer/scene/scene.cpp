@@ -39,29 +39,6 @@ struct Box {
     double reach() const { return largest(0.5 * (high - low)); }
 };
 
-/// How far a shape may reach from its points.
-glm::dvec3 girthOf(const Shape& shape) {
-    glm::dvec3 girth(0);
-    for (const ShapeField& field : shapeRow(shape.kind).fields) {
-        const glm::dvec4& texel = shape.texels[std::size_t(field.texel)];
-        if (field.type == FieldType::Length) girth += texel[field.component];
-        if (field.type == FieldType::Lengths) girth += glm::dvec3(texel);
-    }
-    return girth;
-}
-
-void widen(Box& box, const Shape& shape) {
-    const glm::dvec3 girth = girthOf(shape);
-    for (const ShapeField& field : shapeRow(shape.kind).fields) {
-        const int points = field.type == FieldType::Vertices ? 3 : field.type == FieldType::Point ? 1 : 0;
-        for (int i = 0; i < points; ++i) {
-            const glm::dvec3 point(shape.texels[std::size_t(field.texel + i)]);
-            box.low = glm::min(box.low, point - girth);
-            box.high = glm::max(box.high, point + girth);
-        }
-    }
-}
-
 /// Every object's shape where `swing` of its orbit is how far it has moved from where it rests.
 template<typename Swing>
 std::vector<Shape> placed(const Scene& scene, Swing swing) {
@@ -98,7 +75,11 @@ Box bounded(const Scene& scene) {
     for (const double way : {-1.0, 1.0}) {
         const auto shapes = placed(scene, [way](const Orbit& orbit) { return way * amplitude(orbit); });
         for (std::size_t i = 0; i < shapes.size(); ++i)
-            if (kinds[i] != ShapeKind::Globe && kinds[i] != ShapeKind::Plane) widen(box, shapes[i]);
+            if (const auto extent = shapeRow(kinds[i]).extent) {
+                const Extent own = extent(shapes[i]);
+                box.low = glm::min(box.low, own.low);
+                box.high = glm::max(box.high, own.high);
+            }
     }
     return box;
 }
