@@ -8,9 +8,6 @@
 namespace gnomon {
 namespace {
 
-/// Of asking a primitive, in box tests: a shape is loaded and its bounding sphere tried before anything dear happens.
-constexpr double kPrimitiveCost = 2;
-
 /// Up to here every split is tried.
 constexpr int kSweepCount = 64;
 constexpr int kBins = 32;
@@ -35,7 +32,7 @@ class Builder {
         const std::size_t count = bounds.size();
         centers_.reserve(count);
         for (const Bounds& box : bounds) centers_.push_back(0.5f * box.low + 0.5f * box.high);
-        for (std::size_t i = 0; i < count; ++i) result_.order.push_back(int(i));
+        for (std::size_t i = 0; i < count; ++i) order_.push_back(int(i));
         result_.nodes.reserve(2 * count);
         areas_.resize(std::min(count, std::size_t(kSweepCount)));
     }
@@ -48,13 +45,12 @@ class Builder {
             tasks.pop_back();
             const int node = int(result_.nodes.size());
             if (task.before != kRoot) result_.nodes[std::size_t(task.before)].skip = node;
-            result_.nodes.push_back({boxOf(task.range), 0, 0, 0});
-            const int left = leftOf(task.range, halfArea(result_.nodes.back().bounds));
-            if (left == 0) {
-                result_.nodes.back().first = task.range.first;
-                result_.nodes.back().count = task.range.count;
+            result_.nodes.push_back({boxOf(task.range), 0, -1});
+            if (task.range.count == 1) {
+                result_.nodes.back().primitive = *begin(task.range);
                 continue;
             }
+            const int left = leftOf(task.range);
             tasks.push_back({{task.range.first + left, task.range.count - left}, node + 1});
             tasks.push_back({{task.range.first, left}, kRoot});
         }
@@ -71,7 +67,7 @@ class Builder {
     };
     using Order = std::vector<int>::iterator;
 
-    Order begin(Range range) { return result_.order.begin() + range.first; }
+    Order begin(Range range) { return order_.begin() + range.first; }
     Order end(Range range) { return begin(range) + range.count; }
 
     Bounds boxOf(Range range) {
@@ -85,17 +81,11 @@ class Builder {
         std::vector<HierarchyNode>& nodes = result_.nodes;
         nodes[0].skip = int(nodes.size());
         for (std::size_t i = 0; i < nodes.size(); ++i)
-            if (nodes[i].count == 0) nodes[std::size_t(nodes[i + 1].skip)].skip = nodes[i].skip;
+            if (!nodes[i].isLeaf()) nodes[std::size_t(nodes[i + 1].skip)].skip = nodes[i].skip;
     }
 
-    /// Sorts the range so that its first `left` primitives become the first child; 0: it is to be a leaf.
-    int leftOf(Range range, double area) {
-        if (range.count == 1) return 0;
-        const Split split = range.count <= kSweepCount ? swept(range) : binned(range);
-        const double whole = kPrimitiveCost * range.count * area;
-        if (range.count <= kMaxLeaf && whole <= 2 * area + kPrimitiveCost * split.cost) return 0;
-        return split.left;
-    }
+    /// Sorts the range so that its first ones become the first child; answers how many.
+    int leftOf(Range range) { return (range.count <= kSweepCount ? swept(range) : binned(range)).left; }
 
     void sort(Range range, int axis) {
         std::sort(begin(range), end(range), [&](int a, int b) {
@@ -211,8 +201,15 @@ class Builder {
     std::span<const Bounds> bounds_;
     std::vector<glm::vec3> centers_;
     std::vector<double> areas_;
+    std::vector<int> order_; ///< the primitives, those of a node side by side
     Hierarchy result_;
 };
+
+/// A sum of areas as what a ray that meets the root's box meets on average.
+double overRoot(const Hierarchy& hierarchy, double areas) {
+    const double whole = hierarchy.nodes.empty() ? 0 : halfArea(hierarchy.nodes[0].bounds);
+    return whole > 0 ? areas / whole : 0;
+}
 
 } // namespace
 
@@ -220,35 +217,36 @@ double Hierarchy::cost() const {
     if (nodes.empty()) return 0;
     double sum = 0;
     for (const HierarchyNode& node : nodes)
-        sum += halfArea(node.bounds) * (node.count > 0 ? kPrimitiveCost * node.count : 2);
-    const double whole = halfArea(nodes[0].bounds);
-    return 1 + (whole > 0 ? sum / whole : 0);
+        if (!node.isLeaf()) sum += 2 * halfArea(node.bounds);
+    return 1 + overRoot(*this, sum);
+}
+
+double Hierarchy::leaves() const {
+    double sum = 0;
+    for (const HierarchyNode& node : nodes)
+        if (node.isLeaf()) sum += halfArea(node.bounds);
+    return overRoot(*this, sum);
 }
 
 Hierarchy build(std::span<const Bounds> bounds) { return Builder(bounds).run(); }
 
 void refit(Hierarchy& hierarchy, std::span<const Bounds> bounds) {
-    assert(bounds.size() == hierarchy.order.size());
     std::vector<HierarchyNode>& nodes = hierarchy.nodes;
+    assert(int(nodes.size()) == nodesFor(int(bounds.size())));
     for (std::size_t i = nodes.size(); i-- > 0;) {
         HierarchyNode& node = nodes[i];
-        if (node.count == 0) {
-            node.bounds = merged(nodes[i + 1].bounds, nodes[std::size_t(nodes[i + 1].skip)].bounds);
-            continue;
-        }
-        node.bounds = {};
-        for (int k = node.first; k < node.first + node.count; ++k)
-            node.bounds = merged(node.bounds, bounds[std::size_t(hierarchy.order[std::size_t(k)])]);
+        node.bounds = node.isLeaf() ? bounds[std::size_t(node.primitive)]
+                                    : merged(nodes[i + 1].bounds, nodes[std::size_t(nodes[i + 1].skip)].bounds);
     }
 }
 
-void appendTexels(const Hierarchy& hierarchy, std::vector<glm::vec4>& texels) {
-    texels.reserve(texels.size() + hierarchy.nodes.size() * kNodeTexels);
-    for (const HierarchyNode& node : hierarchy.nodes) {
-        const int leaf = node.count > 0 ? kMaxLeaf * node.first + node.count - 1 : -1;
-        texels.emplace_back(node.bounds.low, float(node.skip));
-        texels.emplace_back(node.bounds.high, float(leaf));
+void update(Hierarchy& hierarchy, std::span<const Bounds> bounds) {
+    constexpr double kSpoilt = 1.5;
+    if (int(hierarchy.nodes.size()) == nodesFor(int(bounds.size()))) {
+        refit(hierarchy, bounds);
+        if (hierarchy.spoilt() <= kSpoilt) return;
     }
+    hierarchy = build(bounds);
 }
 
 } // namespace gnomon

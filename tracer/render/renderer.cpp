@@ -77,6 +77,7 @@ View scaled(View view, double scale) {
 struct LoadedScene {
     Scene scene;
     glm::dvec3 origin{0}; ///< originOf(scene)
+    ScenePacker packer;
     std::vector<std::string> slots, faces;
     std::vector<gl::Texture> images;
     gl::Texture sky;
@@ -166,7 +167,8 @@ struct Renderer::Impl {
         const auto refuse = [&](const std::string& what, const std::string& remedy) {
             problems.push_back({scene.file, 0, {}, what, remedy});
         };
-        const int texels = sceneTexels(scene), units = int(imageSlots(scene).size()) + kFirstImageUnit;
+        const int texels = sceneTexels(featuresOf(scene, settings, blockTexels(), info.essl300)),
+                  units = int(imageSlots(scene).size()) + kFirstImageUnit;
         const long most = long(kDataWidth) * info.maxTextureSize;
         if (texels > most)
             refuse("the scene takes " + std::to_string(texels) + " texels, this GL holds " + std::to_string(most),
@@ -182,18 +184,18 @@ struct Renderer::Impl {
 
     void choose() {
         if (!wantedScene) return;
-        Settings chosen = settings;
-        if (chosen.data == DataPath::Block && sceneTexels(wantedScene->scene) > blockTexels()) {
-            chosen.data = DataPath::Texture;
+        Features features = featuresOf(wantedScene->scene, settings, blockTexels(), info.essl300);
+        if (const int texels = sceneTexels(features); features.dataBlock && texels > blockTexels()) {
+            features.dataBlock = false;
             pending.push_back({wantedScene->scene.file,
                                0,
                                {},
-                               "the scene takes " + std::to_string(sceneTexels(wantedScene->scene)) +
+                               "the scene takes " + std::to_string(texels) +
                                    " texels, a uniform block of this GL holds " + std::to_string(blockTexels()) +
                                    ": its numbers go into a texture",
                                {}});
         }
-        wanted = programs.get(featuresOf(wantedScene->scene, chosen, blockTexels(), info.essl300), pending);
+        wanted = programs.get(features, pending);
         adopt();
     }
 
@@ -213,9 +215,8 @@ struct Renderer::Impl {
 
     // --- drawing ----------------------------------------------------------------------------------------------------
 
-    void uploadScene(const CachedProgram& program, const LoadedScene& loaded, const View& view) {
-        std::vector<glm::vec4> texels =
-            packScene(loaded.scene, program.features, view.time, view.camera.eye, loaded.origin);
+    void uploadScene(const CachedProgram& program, LoadedScene& loaded, const View& view) {
+        const auto texels = loaded.packer.pack(program.features, view.time, view.camera.eye);
         if (program.features.dataBlock) {
             glBindBuffer(GL_UNIFORM_BUFFER, sceneBuffer.get());
             glBufferData(GL_UNIFORM_BUFFER, GLsizeiptr(texels.size() * sizeof(glm::vec4)), texels.data(),
@@ -223,15 +224,18 @@ struct Renderer::Impl {
             glBindBufferBase(GL_UNIFORM_BUFFER, kSceneBinding, sceneBuffer.get());
             return;
         }
-        const int rows = int(texels.size() + kDataWidth - 1) / kDataWidth;
-        texels.resize(std::size_t(rows) * kDataWidth);
+        const int full = int(texels.size()) / kDataWidth, rest = int(texels.size()) % kDataWidth;
+        const int rows = full + (rest > 0);
         glActiveTexture(GL_TEXTURE0 + kDataUnit);
         if (rows != sceneRows) {
             sceneTexture = gl::makeDataTexture(kDataWidth, rows);
             sceneRows = rows;
         }
         glBindTexture(GL_TEXTURE_2D, sceneTexture.get());
-        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kDataWidth, rows, GL_RGBA, GL_FLOAT, texels.data());
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kDataWidth, full, GL_RGBA, GL_FLOAT, texels.data());
+        if (rest > 0)
+            glTexSubImage2D(GL_TEXTURE_2D, 0, 0, full, rest, 1, GL_RGBA, GL_FLOAT,
+                            &texels[std::size_t(full) * kDataWidth]);
     }
 
     void bindImages(const LoadedScene& loaded) {
@@ -244,7 +248,7 @@ struct Renderer::Impl {
         glActiveTexture(GL_TEXTURE0 + kDataUnit);
     }
 
-    void drawInto(GLuint framebuffer, const View& view, const CachedProgram& program, const LoadedScene& loaded,
+    void drawInto(GLuint framebuffer, const View& view, const CachedProgram& program, LoadedScene& loaded,
                   const Settings& with, bool encode) {
         const FrameBlock block = frameBlock(view, loaded.scene, loaded.origin, with, encode);
         glBindVertexArray(vertexArray.get());
@@ -336,9 +340,8 @@ Renderer::~Renderer() = default;
 
 bool Renderer::setScene(const Scene& scene, Problems& problems) {
     if (!impl_->fits(scene, problems)) return false;
-    auto loaded = std::make_shared<LoadedScene>();
-    loaded->scene = scene;
-    loaded->origin = originOf(scene);
+    const glm::dvec3 origin = originOf(scene);
+    auto loaded = std::make_shared<LoadedScene>(LoadedScene{scene, origin, ScenePacker(scene, origin), {}, {}, {}, {}});
     loaded->slots = imageSlots(scene);
     loaded->faces = facesOf(scene);
     impl_->uploadAll(*loaded);

@@ -1,5 +1,7 @@
 #include "tracer/render/scene_data.h"
 
+#include "tracer/accel/node_texels.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -86,29 +88,9 @@ Shape toldFromHere(Shape plane) {
     return plane;
 }
 
-/// Every object's shape at `time` relative to `origin`.
-std::vector<Shape> shapesAbout(glm::dvec3 origin, const Scene& scene, double time) {
-    std::vector<Shape> shapes = shapesAt(scene, time);
-    if (origin == glm::dvec3(0)) return shapes;
-    for (std::size_t i = 0; i < shapes.size(); ++i) {
-        shapes[i] = translated(shapes[i], -origin);
-        // The stated point is where an image on the plane begins.
-        if (shapes[i].kind == ShapeKind::Plane && !showsImages(scene.materials[std::size_t(scene.objects[i].material)]))
-            shapes[i] = toldFromHere(shapes[i]);
-    }
-    return shapes;
-}
-
-int texelsOf(const Scene& scene, const std::vector<ShapeKind>& kinds) {
-    int texels = int(scene.materials.size()) * kMaterialTexels + int(scene.lights.size()) * kLightTexels;
-    for (const ShapeKind kind : kinds) texels += shapeRow(kind).texels + 1;
-    for (const Object& object : scene.objects) texels += object.glow ? kGlowTexels : 0;
-    return texels;
-}
-
 } // namespace
 
-int sceneTexels(const Scene& scene) { return texelsOf(scene, drawnKinds(scene)); }
+int sceneTexels(const Features& features) { return constantsOf(features).back().second; }
 
 std::vector<std::pair<std::string, int>> constantsOf(const Features& features) {
     std::vector<std::pair<std::string, int>> constants;
@@ -125,6 +107,12 @@ std::vector<std::pair<std::string, int>> constantsOf(const Features& features) {
         texel += row.texels * kind.count;
         object += kind.count;
     }
+    for (const KindCount& kind : features.shapes) {
+        if (!kind.hierarchy) continue;
+        const std::string name = "k" + std::string(shapeRow(kind.kind).type);
+        constants.insert(constants.end(), {{name + "Grid", texel}, {name + "Nodes", nodesFor(kind.count)}});
+        texel += hierarchyTexels(kind.count);
+    }
     const auto block = [&](const char* name, int count, int size) {
         constants.emplace_back(std::string("k") + name + "Base", texel);
         constants.emplace_back(std::string("k") + name + "Count", count);
@@ -138,36 +126,79 @@ std::vector<std::pair<std::string, int>> constantsOf(const Features& features) {
     return constants;
 }
 
-std::vector<glm::vec4> packScene(const Scene& scene, const Features& features, double time) {
-    return packScene(scene, features, time, scene.camera.eye, glm::dvec3(0));
+ScenePacker::ScenePacker(const Scene& scene, glm::dvec3 origin)
+    : scene_(scene), origin_(origin), kinds_(drawnKinds(scene)), order_(shaderOrder(scene, kinds_)),
+      images_(imageSlots(scene)) {}
+
+std::span<const glm::vec4> ScenePacker::pack(const Features& features, double time, glm::dvec3 eye) {
+    std::vector<Shape> shapes = shapesAbout(time);
+    noteMiddleOfTriangles(shapes);
+    texels_.clear();
+    packShapes(shapes, eye - origin_);
+    packHierarchies(features, shapes, glm::vec3(eye - origin_));
+    for (const int i : order_)
+        texels_.emplace_back(float(scene_.objects[std::size_t(i)].material), float(i), 0.0f, 0.0f);
+    for (const Material& material : scene_.materials) packMaterial(material, images_, time, texels_);
+    packLights();
+    if (features.glows > 0) packGlows(shapes);
+    return texels_;
 }
 
-std::vector<glm::vec4> packScene(const Scene& scene, const Features& features, double time, glm::dvec3 eye,
-                                 glm::dvec3 origin) {
-    std::vector<Shape> shapes = shapesAbout(origin, scene, time);
-    noteMiddleOfTriangles(shapes);
-    const std::vector<ShapeKind> kinds = drawnKinds(scene);
-    const std::vector<int> order = shaderOrder(scene, kinds);
-    const std::vector<std::string> images = imageSlots(scene);
-    std::vector<glm::vec4> texels;
-    texels.reserve(std::size_t(texelsOf(scene, kinds)));
-    for (int i : order) {
-        const Shape drawn = drawnAs(kinds[i], shapes[i], eye - origin);
-        for (int k = 0; k < shapeRow(drawn.kind).texels; ++k) texels.emplace_back(drawn.texels[k]);
+/// Every object's shape at `time` relative to the origin.
+std::vector<Shape> ScenePacker::shapesAbout(double time) const {
+    std::vector<Shape> shapes = shapesAt(scene_, time);
+    if (origin_ == glm::dvec3(0)) return shapes;
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        shapes[i] = translated(shapes[i], -origin_);
+        // The stated point is where an image on the plane begins.
+        if (shapes[i].kind == ShapeKind::Plane &&
+            !showsImages(scene_.materials[std::size_t(scene_.objects[i].material)]))
+            shapes[i] = toldFromHere(shapes[i]);
     }
-    for (int i : order) texels.emplace_back(float(scene.objects[i].material), float(i), 0.0f, 0.0f);
-    for (const Material& material : scene.materials) packMaterial(material, images, time, texels);
-    for (const Light& light : scene.lights) {
-        texels.emplace_back(glm::vec4(std::get<PointLight>(light.shape).position - origin, 0));
-        texels.emplace_back(glm::vec4(light.color, 0));
+    return shapes;
+}
+
+void ScenePacker::packShapes(const std::vector<Shape>& shapes, glm::dvec3 eye) {
+    for (const int i : order_) {
+        const Shape drawn = drawnAs(kinds_[std::size_t(i)], shapes[std::size_t(i)], eye);
+        for (int k = 0; k < shapeRow(drawn.kind).texels; ++k) texels_.emplace_back(drawn.texels[std::size_t(k)]);
     }
-    if (features.glows > 0)
-        for (std::size_t i = 0; i < scene.objects.size(); ++i)
-            if (const auto& glow = scene.objects[i].glow) {
-                texels.emplace_back(glm::vec4(pointOf(shapes[i], "center"), glow->strength));
-                texels.emplace_back(glm::vec4(glow->color, glow->softness));
-            }
-    return texels;
+}
+
+void ScenePacker::packHierarchies(const Features& features, const std::vector<Shape>& shapes, glm::vec3 eye) {
+    auto object = order_.begin();
+    for (const KindCount& kind : features.shapes) {
+        const auto end = object + kind.count;
+        if (kind.hierarchy) {
+            bounds_.clear();
+            for (auto i = object; i != end; ++i) bounds_.push_back(*boundsOf(shapes[std::size_t(*i)]));
+            Hierarchy& hierarchy = hierarchies_[std::size_t(kind.kind)];
+            update(hierarchy, bounds_);
+            appendTexels(hierarchy, eye, texels_);
+        }
+        object = end;
+    }
+}
+
+void ScenePacker::packLights() {
+    for (const Light& light : scene_.lights) {
+        texels_.emplace_back(glm::vec4(std::get<PointLight>(light.shape).position - origin_, 0));
+        texels_.emplace_back(glm::vec4(light.color, 0));
+    }
+}
+
+void ScenePacker::packGlows(const std::vector<Shape>& shapes) {
+    for (std::size_t i = 0; i < scene_.objects.size(); ++i)
+        if (const auto& glow = scene_.objects[i].glow) {
+            texels_.emplace_back(glm::vec4(pointOf(shapes[i], "center"), glow->strength));
+            texels_.emplace_back(glm::vec4(glow->color, glow->softness));
+        }
+}
+
+std::vector<glm::vec4> packScene(const Scene& scene, const Features& features, double time) {
+    ScenePacker packer(scene);
+    const auto texels = packer.pack(features, time, scene.camera.eye);
+    return {texels.begin(), texels.end()};
 }
 
 std::vector<std::string> imageSlots(const Scene& scene) {

@@ -1,14 +1,18 @@
 /// The scene's numbers as the shader reads them: one array of vec4.
 ///
-/// Order: for each kind present the geometry of its objects (casters first), then per object one texel (material, index
-/// in the file), then materials, lights, glows. The offsets are constants of the specialised shader; see constantsOf().
+/// Order: for each kind present the geometry of its objects (casters first), then the hierarchies of the kinds that
+/// have one, then per object one texel (material, index in the file), then materials, lights, glows. The offsets are
+/// constants of the specialised shader; see constantsOf().
 #pragma once
 
+#include "tracer/accel/hierarchy.h"
 #include "tracer/scene/scene.h"
 #include "tracer/shader/features.h"
 
 #include <glm/glm.hpp>
 
+#include <array>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,16 +23,40 @@ inline constexpr int kMaterialTexels = 8;
 inline constexpr int kLightTexels = 2;
 inline constexpr int kGlowTexels = 2;
 
-/// Number of texels the scene takes.
-int sceneTexels(const Scene&);
-
 /// Names and values of the integer constants that tell the shader where things lie.
 std::vector<std::pair<std::string, int>> constantsOf(const Features&);
 
-/// All texels at `time`, for a picture taken from `eye`, every point relative to `origin`; what is drawn does not
-/// depend on the two, only how exactly.
-std::vector<glm::vec4> packScene(const Scene&, const Features&, double time, glm::dvec3 eye, glm::dvec3 origin);
-/// From the scene's own camera, in the world's coordinates.
+/// Number of texels the scene takes.
+int sceneTexels(const Features&);
+
+/// Packs one scene, frame after frame: what stays is worked out once, what moves is fitted to where it has gone.
+class ScenePacker {
+  public:
+    /// Every point is told relative to `origin`: what is drawn does not depend on it, only how exactly.
+    explicit ScenePacker(const Scene&, glm::dvec3 origin = glm::dvec3(0));
+
+    /// All texels at `time`, for a picture taken from `eye`, which exactness depends on as well. Features of this
+    /// scene; the texels are good until the next call.
+    std::span<const glm::vec4> pack(const Features&, double time, glm::dvec3 eye);
+
+  private:
+    std::vector<Shape> shapesAbout(double time) const;
+    void packShapes(const std::vector<Shape>&, glm::dvec3 eye);
+    void packHierarchies(const Features&, const std::vector<Shape>&, glm::vec3 eye);
+    void packLights();
+    void packGlows(const std::vector<Shape>&);
+
+    Scene scene_;
+    glm::dvec3 origin_;
+    std::vector<ShapeKind> kinds_;    ///< drawnKinds()
+    std::vector<int> order_;          ///< objects as the shader numbers them
+    std::vector<std::string> images_; ///< imageSlots()
+    std::array<Hierarchy, kShapeKinds> hierarchies_;
+    std::vector<Bounds> bounds_; ///< of one kind; kept for its memory
+    std::vector<glm::vec4> texels_;
+};
+
+/// What one picture takes: as ScenePacker, in the world's coordinates and from the scene's own camera.
 std::vector<glm::vec4> packScene(const Scene&, const Features&, double time);
 
 /// Images in the order of their slots (cube map faces left out), each once.

@@ -29,6 +29,9 @@ std::vector<SettingRow> makeTable() {
     const ChoiceType colorMode{{colorModes().begin(), colorModes().end()},
                                [](const Settings& s) { return s.colorMode; },
                                [](Settings& s, int i) { s.colorMode = i; }};
+    const ChoiceType accel{{"auto", "none", "hierarchy"},
+                           [](const Settings& s) { return int(s.accel); },
+                           [](Settings& s, int i) { s.accel = Accel(i); }};
     using S = Settings;
     return {
         {"depth", IntType{&S::depth, 1, 8}, "Rays", "How many surfaces light may meet on its way to the eye", 1,
@@ -90,6 +93,7 @@ std::vector<SettingRow> makeTable() {
          "V",
          {},
          Effect::Host},
+        {"accel", accel, "Canvas", "How rays find the objects that they meet", 0, {}, {}, Effect::Rebuild},
         {"data", data, "Canvas", "Where the shader finds the scene's numbers", 0, {}, {}, Effect::Rebuild},
     };
 }

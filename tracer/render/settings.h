@@ -25,6 +25,9 @@ int channelsOf(Aov);
 /// Where the shader finds the scene's numbers.
 enum class DataPath { Auto, Block, Texture };
 
+/// How rays find the objects that they meet: one after the other, by a hierarchy of boxes, or what costs less.
+enum class Accel { Auto, None, Hierarchy };
+
 /// All settings with their defaults. What is optional and unset comes from the scene.
 struct Settings {
     int depth = 4;
@@ -44,6 +47,7 @@ struct Settings {
     double scale = 1;
     bool adapt = true;
     bool vsync = true;
+    Accel accel = Accel::Auto;
     DataPath data = DataPath::Auto;
 
     bool operator==(const Settings&) const = default;

@@ -1,11 +1,15 @@
 #include "tracer/shader/features.h"
 
+#include "tracer/accel/hierarchy.h"
 #include "tracer/render/scene_data.h"
 
 #include <algorithm>
 
 namespace gnomon {
 namespace {
+
+/// Of asking an object, in boxes.
+constexpr double kPrimitiveCost = 1;
 
 /// Entries of the stack for trees of that depth. The depth itself stays a uniform; two sizes, since a GPU holds the
 /// stack in registers of every pixel (docs/results.md), and a shader for each depth would compile at every press of a
@@ -25,6 +29,22 @@ std::vector<KindCount> countKinds(const Scene& scene) {
     std::copy_if(counts.begin(), counts.end(), std::back_inserter(present),
                  [](const KindCount& kind) { return kind.count > 0; });
     return present;
+}
+
+/// A hierarchy for each kind where it pays: a loop asks every object, a hierarchy some boxes and then few objects.
+void chooseHierarchies(const Scene& scene, Accel accel, std::vector<KindCount>& kinds) {
+    const std::vector<ShapeKind> drawn = drawnKinds(scene);
+    const std::vector<Shape> shapes = shapesAt(scene, 0);
+    for (KindCount& kind : kinds) {
+        const ShapeRow& row = shapeRow(kind.kind);
+        if (!row.extent || kind.count < 2) continue;
+        std::vector<Bounds> bounds;
+        for (std::size_t i = 0; i < shapes.size(); ++i)
+            if (drawn[i] == kind.kind) bounds.push_back(*boundsOf(shapes[i]));
+        const Hierarchy hierarchy = build(bounds);
+        const double walk = hierarchy.cost() + kPrimitiveCost * hierarchy.leaves();
+        kind.hierarchy = accel == Accel::Hierarchy || walk < kPrimitiveCost * kind.count;
+    }
 }
 
 void addMaterial(const Material& material, const Settings& settings, Features& features) {
@@ -48,6 +68,7 @@ int Features::objects() const {
 Features featuresOf(const Scene& scene, const Settings& settings, int maxBlockTexels, bool es300) {
     Features features;
     features.shapes = countKinds(scene);
+    if (settings.accel != Accel::None) chooseHierarchies(scene, settings.accel, features.shapes);
     features.output = settings.aov;
     features.es300 = es300;
     features.linear = scene.encoding == Encoding::Linear;
@@ -65,9 +86,8 @@ Features featuresOf(const Scene& scene, const Settings& settings, int maxBlockTe
     if (settings.glow)
         features.glows = int(std::count_if(scene.objects.begin(), scene.objects.end(),
                                            [](const Object& o) { return o.glow.has_value(); }));
-    const int texels = sceneTexels(scene);
-    features.dataBlock =
-        settings.data == DataPath::Block || (settings.data == DataPath::Auto && texels <= maxBlockTexels);
+    features.dataBlock = settings.data == DataPath::Block ||
+                         (settings.data == DataPath::Auto && sceneTexels(features) <= maxBlockTexels);
     return features;
 }
 

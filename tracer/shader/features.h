@@ -14,6 +14,7 @@ namespace gnomon {
 struct KindCount {
     ShapeKind kind = ShapeKind::Sphere;
     int count = 0, casters = 0;
+    bool hierarchy = false; ///< rays find them by a hierarchy of boxes, else one after the other
 };
 
 struct Features {

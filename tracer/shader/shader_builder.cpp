@@ -18,6 +18,11 @@ struct Names {
     std::map<std::string, std::vector<std::string>, std::less<>> lists;
 };
 
+std::string mapped(std::string text, int (*change)(int)) {
+    std::transform(text.begin(), text.end(), text.begin(), [=](unsigned char c) { return char(change(c)); });
+    return text;
+}
+
 Names namesOf(const Features& f) {
     Names names;
     names.values = {
@@ -48,6 +53,8 @@ Names namesOf(const Features& f) {
     for (const KindCount& kind : f.shapes) {
         shapes.emplace_back(shapeRow(kind.kind).type);
         if (kind.casters > 0) casters.emplace_back(shapeRow(kind.kind).type);
+        names.values[mapped(std::string(shapeRow(kind.kind).type), std::toupper) + "_HIERARCHY"] = kind.hierarchy;
+        names.values["HIERARCHIES"] |= int(kind.hierarchy);
     }
     auto& images = names.lists["IMAGE_SLOTS"];
     for (int i = 0; i < f.images; ++i) images.push_back(std::to_string(i));
@@ -58,11 +65,6 @@ Names namesOf(const Features& f) {
 struct Substitution {
     std::string word, value;
 };
-
-std::string mapped(std::string text, int (*change)(int)) {
-    std::transform(text.begin(), text.end(), text.begin(), [=](unsigned char c) { return char(change(c)); });
-    return text;
-}
 
 std::string substitute(std::string_view line, const std::vector<Substitution>& substitutions) {
     std::string out(line);
