@@ -25,6 +25,9 @@ GridRay gridRay(int grid, Ray ray) {
 
 int nextLeaf(GridRay ray, int nodes, int end, float t, inout int node) {
     while (node < end) {
+#if OUTPUT == WORK
+        ++work.x;
+#endif
         vec4 box = sceneTexel(nodes + node);
         vec3 high = floor(box.xyz * (1.0 / 4096.0));
         vec3 toLow = (box.xyz - 4096.0 * high - ray.beforeLow) * ray.perCell;

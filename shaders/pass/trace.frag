@@ -9,7 +9,7 @@
 #if SHADOWS
 #include "shadow/hard.glsl"
 #endif
-#if OUTPUT == COLOR
+#if OUTPUT == COLOR || OUTPUT == WORK
 #if IMAGES
 #include "shade/images.glsl"
 #endif
@@ -45,6 +45,14 @@ Ray primaryRay() {
 vec4 pixel(Ray ray) {
     vec3 color = chooseChannels(traceTree(ray, frame.cone.x));
     return vec4(frame.limits.z == 1 ? encode(color) : color, 1.0);
+}
+#elif OUTPUT == WORK
+// Boxes, objects and shadow rays that the colour of this pixel takes; shown against 256, 64 and 16 of them.
+vec4 pixel(Ray ray) {
+    vec3 color = traceTree(ray, frame.cone.x);
+    vec3 counts = vec3(work);
+    if (color.r < -1.0) counts.r = 0.0; // the colour is asked for, too: nothing of the work may be left out
+    return vec4(frame.limits.z == 1 ? counts / vec3(256.0, 64.0, 16.0) : counts, 1.0);
 }
 #else
 // What the primary ray meets. `value` for reading back, `shown` for a window.

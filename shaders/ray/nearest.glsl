@@ -3,6 +3,10 @@
 // Objects are numbered by kind, in each kind those first that cast shadows. One loop a kind, over all of its objects or over
 // those that its hierarchy comes to; which of the two changes nothing in the answer: of objects at the same distance the one
 // with the lowest number is met. nearestHit keeps only t and the number, the surface is worked out once, afterwards.
+#if OUTPUT == WORK
+// What this pixel has asked so far: boxes, objects, and how many shadow rays.
+ivec3 work = ivec3(0);
+#endif
 #for Shape in SHAPES
 #include "primitive/$shape.glsl"
 #endfor
@@ -11,6 +15,17 @@
 #endif
 
 const float kFar = 3e38;
+
+// Whether the ray meets object `index` of its kind nearer than t, which then is where.
+#for Shape in SHAPES
+bool meets$Shape(int index, Ray ray, inout float t) {
+#if OUTPUT == WORK
+    ++work.y;
+#endif
+    float side = startSide(ray, k$ShapeFirst + index);
+    return intersect$Shape(load$Shape(k$ShapeBase + index * k$ShapeTexels), ray, side, t);
+}
+#endfor
 
 // Object nearest along the ray, -1 where there is none; t is its distance.
 int nearestHit(Ray ray, out float t) {
@@ -23,19 +38,15 @@ int nearestHit(Ray ray, out float t) {
     for (int i = 0; i <= k$ShapeCount; ++i) {
         int leaf = nextLeaf(ray$Shape, k$ShapeGrid + 2, k$ShapeNodes, t, node$Shape);
         if (leaf < 0) break;
-        int object = k$ShapeFirst + leaf;
         float limit = uintBitsToFloat(floatBitsToUint(t) + 1u); // a hit at the same distance counts
-        bool hit = intersect$Shape(load$Shape(k$ShapeBase + leaf * k$ShapeTexels), ray, startSide(ray, object), limit);
-        if (hit && (limit < t || object < nearest)) {
+        if (meets$Shape(leaf, ray, limit) && (limit < t || k$ShapeFirst + leaf < nearest)) {
             t = limit;
-            nearest = object;
+            nearest = k$ShapeFirst + leaf;
         }
     }
 #else
-    for (int i = 0; i < k$ShapeCount; ++i) {
-        int object = k$ShapeFirst + i;
-        if (intersect$Shape(load$Shape(k$ShapeBase + i * k$ShapeTexels), ray, startSide(ray, object), t)) nearest = object;
-    }
+    for (int i = 0; i < k$ShapeCount; ++i)
+        if (meets$Shape(i, ray, t)) nearest = k$ShapeFirst + i;
 #endif
 #endfor
     return nearest;
@@ -43,6 +54,9 @@ int nearestHit(Ray ray, out float t) {
 
 #if SHADOWS
 bool occluded(Ray ray, float distance) {
+#if OUTPUT == WORK
+    ++work.z;
+#endif
     float t = distance;
 #for Shape in CASTERS
 #if $SHAPE_HIERARCHY
@@ -51,12 +65,11 @@ bool occluded(Ray ray, float distance) {
     for (int i = 0; i <= k$ShapeCount; ++i) {
         int leaf = nextLeaf(ray$Shape, k$ShapeGrid + 2, k$ShapeNodes, t, node$Shape);
         if (leaf < 0) break;
-        if (leaf < k$ShapeCasters &&
-            intersect$Shape(load$Shape(k$ShapeBase + leaf * k$ShapeTexels), ray, startSide(ray, k$ShapeFirst + leaf), t)) return true;
+        if (leaf < k$ShapeCasters && meets$Shape(leaf, ray, t)) return true;
     }
 #else
     for (int i = 0; i < k$ShapeCasters; ++i)
-        if (intersect$Shape(load$Shape(k$ShapeBase + i * k$ShapeTexels), ray, startSide(ray, k$ShapeFirst + i), t)) return true;
+        if (meets$Shape(i, ray, t)) return true;
 #endif
 #endfor
     return false;

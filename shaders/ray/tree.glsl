@@ -59,7 +59,7 @@ vec3 mirrored(vec3 direction, vec3 normal, vec3 facing) {
 vec3 reflectance(Material material, float cosine, vec2 uv, vec2 reach) {
     vec3 share = fresnel(material.f0, cosine);
 #if COAT_MASKS
-    if (material.mask >= 0) share *= sampleImage(material.mask, uv, reach).r;
+    if (material.mask >= 0) share *= sampleMask(material.mask, uv, reach);
 #endif
     return share;
 }
@@ -94,13 +94,13 @@ vec3 traceTree(Ray ray, float pixelAngle) {
 #if TEXTURES
             uv = surface.uv * material.texturePlacement.xy + material.texturePlacement.zw;
             reach = path.width * inversesqrt(cosine) * surface.uvPerUnit * material.texturePlacement.xy;
-            if (material.texture >= 0) tint = sampleImage(material.texture, uv, reach).rgb;
+            if (material.texture >= 0) tint = sampleColor(material.texture, uv, reach);
 #endif
 #if NORMAL_MAPS
             if (material.normalMap >= 0) {
                 vec2 at = surface.uv * material.normalPlacement.xy + material.normalPlacement.zw;
                 vec2 over = path.width * inversesqrt(cosine) * surface.uvPerUnit * material.normalPlacement.xy;
-                vec3 bump = (sampleImage(material.normalMap, at, over).xyz * 255.0 - 128.0) / 127.0; // 128 is flat
+                vec3 bump = sampleNormal(material.normalMap, at, over);
                 vec3 bitangent = cross(surface.normal, surface.tangent);
                 normal = normalize(bump.x * surface.tangent + bump.y * bitangent + bump.z * surface.normal);
                 normal = outside ? normal : -normal;

@@ -5,25 +5,41 @@
 // normal     shading normal
 // tint       the texture's colour at the point: it colours its own surface only
 // share      what of this surface reaches the picture: a light that adds less than the threshold needs no shadow ray
+#if LIGHTS
+// What one light adds where nothing is in its way.
+vec3 reflectedLight(Light light, Material material, vec3 albedo, vec3 point, vec3 facing, vec3 normal, vec3 toEye) {
+    vec3 toLight = light.position - point;
+    vec3 direction = toLight * inversesqrt(max(dot(toLight, toLight), 1e-30));
+    float cosine = dot(normal, direction);
+    if (cosine <= 0.0 || dot(facing, direction) <= 0.0) return vec3(0.0);
+    vec3 diffuse = clamp(albedo * cosine, 0.0, 1.0);
+    vec3 between = direction + toEye;
+    float highlight = max(dot(normal, between) * inversesqrt(max(dot(between, between), 1e-30)), 0.0);
+    vec3 specular = highlight > 0.0 ? clamp(material.specular * pow(highlight, material.shininess), 0.0, 1.0) : vec3(0.0);
+    return light.color * (diffuse + specular);
+}
+#endif
+
 vec3 shade(Material material, Surface surface, int self, vec3 facing, vec3 normal, vec3 toEye, vec3 tint, vec3 share) {
     vec3 color = (material.emission + material.ambient) * tint;
 #if LIGHTS
-    if (all(equal(material.diffuse + material.specular, vec3(0.0)))) return color;
     vec3 albedo = material.diffuse * tint;
+    bool lit = any(greaterThan(material.diffuse + material.specular, vec3(0.0)));
+    int next = lit ? 0 : kLightCount;
     for (int i = 0; i < kLightCount; ++i) {
-        Light light = loadLight(i);
-        vec3 toLight = light.position - surface.point;
-        vec3 direction = toLight * inversesqrt(max(dot(toLight, toLight), 1e-30));
-        float cosine = dot(normal, direction);
-        if (cosine <= 0.0 || dot(facing, direction) <= 0.0) continue;
-        vec3 diffuse = clamp(albedo * cosine, 0.0, 1.0);
-        vec3 between = direction + toEye;
-        float highlight = max(dot(normal, between) * inversesqrt(max(dot(between, between), 1e-30)), 0.0);
-        vec3 specular = highlight > 0.0 ? clamp(material.specular * pow(highlight, material.shininess), 0.0, 1.0) : vec3(0.0);
-        vec3 light3 = light.color * (diffuse + specular);
-        vec3 seen = light3 * share;
-        if (max(seen.r, max(seen.g, seen.b)) < frame.options.x) continue;
-        color += light3 * lightFraction(surface, self, light);
+        // First to the next light that counts, then its shadow ray: on wide SIMD neighbours wait for each other's rays, so
+        // each round has to be one that somebody needs.
+        Light light = Light(vec3(0.0), vec3(0.0));
+        vec3 added = vec3(0.0);
+        for (; next < kLightCount; ++next) {
+            light = loadLight(next);
+            added = reflectedLight(light, material, albedo, surface.point, facing, normal, toEye);
+            vec3 seen = added * share;
+            if (max(seen.r, max(seen.g, seen.b)) >= frame.options.x) break;
+        }
+        if (next >= kLightCount) break;
+        ++next;
+        color += added * lightFraction(surface, self, light);
     }
 #endif
     return color;

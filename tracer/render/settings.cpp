@@ -20,7 +20,7 @@ std::vector<SettingRow> makeTable() {
     const ChoiceType shadows{{"off", "hard"},
                              [](const Settings& s) { return int(s.shadows); },
                              [](Settings& s, int i) { s.shadows = ShadowModel(i); }};
-    const ChoiceType aov{{"color", "distance", "position", "normal", "object", "visibility"},
+    const ChoiceType aov{{"color", "distance", "position", "normal", "object", "visibility", "work"},
                          [](const Settings& s) { return int(s.aov); },
                          [](Settings& s, int i) { s.aov = Aov(i); }};
     const ChoiceType data{{"auto", "block", "texture"},
@@ -365,7 +365,7 @@ std::string percentEncoded(std::string_view text) {
 
 } // namespace
 
-int channelsOf(Aov aov) { return aov == Aov::Color || aov == Aov::Position || aov == Aov::Normal ? 3 : 1; }
+int channelsOf(Aov aov) { return aov == Aov::Color || aov == Aov::Position || aov == Aov::Normal || aov == Aov::Work ? 3 : 1; }
 
 std::span<const SettingRow> settingsTable() {
     static const std::vector<SettingRow> table = makeTable();

@@ -18,7 +18,7 @@ namespace gnomon {
 enum class ShadowModel { Off, Hard };
 
 /// Outputs of the shader, see `--aov` in docs/outputs.md.
-enum class Aov { Color, Distance, Position, Normal, Object, Visibility };
+enum class Aov { Color, Distance, Position, Normal, Object, Visibility, Work };
 /// Floats a pixel of an output: 3 for vectors and colours, 1 otherwise.
 int channelsOf(Aov);
 

@@ -47,14 +47,20 @@ void chooseHierarchies(const Scene& scene, Accel accel, std::vector<KindCount>& 
     }
 }
 
-void addMaterial(const Material& material, const Settings& settings, Features& features) {
+void addSlot(const std::string& image, const std::vector<std::string>& images, std::vector<int>& slots) {
+    const int slot = int(std::find(images.begin(), images.end(), image) - images.begin());
+    if (std::find(slots.begin(), slots.end(), slot) == slots.end()) slots.push_back(slot);
+}
+
+void addMaterial(const Material& material, const std::vector<std::string>& images, const Settings& settings,
+                 Features& features) {
     const auto* coat = std::get_if<Coat>(&material.optics);
     features.coats |= coat != nullptr;
-    features.coatMasks |= coat && !coat->mask.empty();
     features.conductors |= std::holds_alternative<Conductor>(material.optics);
     features.refraction |= std::holds_alternative<Dielectric>(material.optics);
-    features.textures |= material.texture.has_value();
-    features.normalMaps |= material.normalMap && settings.normalMaps;
+    if (coat && !coat->mask.empty()) addSlot(coat->mask, images, features.maskSlots);
+    if (material.texture) addSlot(material.texture->image, images, features.colorSlots);
+    if (material.normalMap && settings.normalMaps) addSlot(material.normalMap->image, images, features.normalSlots);
 }
 
 } // namespace
@@ -74,11 +80,12 @@ Features featuresOf(const Scene& scene, const Settings& settings, int maxBlockTe
     features.linear = scene.encoding == Encoding::Linear;
     features.materials = int(scene.materials.size());
     features.lights = int(scene.lights.size());
-    features.images = int(imageSlots(scene).size());
+    const std::vector<std::string> images = imageSlots(scene);
+    features.images = int(images.size());
     std::vector<bool> used(scene.materials.size(), false);
     for (const Object& object : scene.objects) used[object.material] = true;
     for (std::size_t i = 0; i < used.size(); ++i)
-        if (used[i]) addMaterial(scene.materials[i], settings, features);
+        if (used[i]) addMaterial(scene.materials[i], images, settings, features);
     features.reflection = features.conductors || features.refraction || features.coats;
     features.rayStack = features.refraction ? stackFor(settings.depth) : 0;
     features.cubemap = !scene.background.cubemap.empty();

@@ -29,9 +29,9 @@ Names namesOf(const Features& f) {
         {"REFLECTION", f.reflection},
         {"REFRACTION", f.refraction},
         {"COATS", f.coats},
-        {"COAT_MASKS", f.coatMasks},
-        {"TEXTURES", f.textures},
-        {"NORMAL_MAPS", f.normalMaps},
+        {"COAT_MASKS", !f.maskSlots.empty()},
+        {"TEXTURES", !f.colorSlots.empty()},
+        {"NORMAL_MAPS", !f.normalSlots.empty()},
         {"IMAGES", f.images},
         {"CUBEMAP", f.cubemap},
         {"LINEAR", f.linear},
@@ -47,6 +47,7 @@ Names namesOf(const Features& f) {
         {"NORMAL", int(Aov::Normal)},
         {"OBJECT", int(Aov::Object)},
         {"VISIBILITY", int(Aov::Visibility)},
+        {"WORK", int(Aov::Work)},
     };
     auto& shapes = names.lists["SHAPES"];
     auto& casters = names.lists["CASTERS"];
@@ -58,6 +59,12 @@ Names namesOf(const Features& f) {
     }
     auto& images = names.lists["IMAGE_SLOTS"];
     for (int i = 0; i < f.images; ++i) images.push_back(std::to_string(i));
+    const auto slots = [&](const char* list, const std::vector<int>& which) {
+        for (const int slot : which) names.lists[list].push_back(std::to_string(slot));
+    };
+    slots("COLOR_SLOTS", f.colorSlots);
+    slots("NORMAL_SLOTS", f.normalSlots);
+    slots("MASK_SLOTS", f.maskSlots);
     return names;
 }
 
