@@ -1,5 +1,6 @@
 // Box: the points within half_size of the centre along each of the axes x, y, z.
 //
+// ballBox       the ball through its corners
 // intersectBox  nearest t in (ray.tMin, t); from inside the far face
 // surfaceBox    point on the face that the ray crosses, exact in its own coordinates; each face shows uv 0 … 1 once
 // Error         band 2^-23 size, ray 1.5 ulp, point 1 and normal 1 roundings, as docs/numerics.md names them
@@ -15,6 +16,8 @@ struct Box {
 };
 
 Box loadBox(int at) { return Box(sceneTexel(at).xyz, sceneTexel(at + 1).xyz); }
+
+vec4 ballBox(Box box) { return vec4(box.center, length(box.halfSize)); }
 
 void boxSlabs(Box box, vec3 p, vec3 d, out vec3 enter, out vec3 leave) {
     vec2 x = slabSpan(p.x, d.x, box.halfSize.x);
@@ -36,7 +39,7 @@ vec3 largestAxis(vec3 v) {
 
 bool intersectBox(Box box, Ray ray, float side, inout float t) {
     if (side > 0.0) return false; // convex: what leaves it never comes back
-    if (side == 0.0 && passesBy(ray.origin - box.center, ray.direction, length(box.halfSize))) return false;
+    if (side == 0.0 && passesBy(ray, ballBox(box))) return false;
     NearRay near = recentre(ray.origin, box.center, ray.direction);
     vec3 enter, leave;
     boxSlabs(box, near.origin, ray.direction, enter, leave);

@@ -1,5 +1,6 @@
 // Capsule: the points within `radius` of the stretch from one point to another.
 //
+// ballCapsule       about the middle of the axis
 // intersectCapsule  nearest t in (ray.tMin, t); from inside the far side
 // surfaceCapsule    point put back to `radius` from the stretch; u runs once around, v from the tip at `to` to that at `from`
 // Error             band 2^-22 size, ray 2 ulp, point 2 and normal 2 roundings, as docs/numerics.md names them
@@ -19,6 +20,8 @@ Capsule loadCapsule(int at) {
     return Capsule(axisBetween(a.xyz, sceneTexel(at + 1).xyz), a.w);
 }
 
+vec4 ballCapsule(Capsule capsule) { return vec4(onAxis(capsule.axis, vec3(0.0)), capsule.axis.halfLength + capsule.radius); }
+
 vec2 capsuleSpan(Capsule capsule, AxialRay local, vec3 direction) {
     vec3 tip = capsule.axis.halfLength * capsule.axis.along;
     vec2 wall = commonSpan(roundSpan(local.across, local.acrossStep, capsule.radius),
@@ -30,8 +33,7 @@ vec2 capsuleSpan(Capsule capsule, AxialRay local, vec3 direction) {
 
 bool intersectCapsule(Capsule capsule, Ray ray, float side, inout float t) {
     if (side > 0.0) return false; // convex: what leaves it never comes back
-    float reach = capsule.axis.halfLength + capsule.radius;
-    if (side == 0.0 && passesBy(ray.origin - onAxis(capsule.axis, vec3(0.0)), ray.direction, reach)) return false;
+    if (side == 0.0 && passesBy(ray, ballCapsule(capsule))) return false;
     AxialRay local = axialRay(capsule.axis, ray);
     return meetConvex(local.near, capsuleSpan(capsule, local, ray.direction), ray, side, t);
 }

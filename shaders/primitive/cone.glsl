@@ -1,5 +1,6 @@
 // Cone: a round body that narrows from `radius` about one point, its base, to nothing at another, its apex.
 //
+// ballCone       about the middle of the axis
 // intersectCone  nearest t in (ray.tMin, t); from inside the far side
 // surfaceCone    point put back onto side or base; u runs once around, v from 0 at the apex to 1 at the base; the base shows
 //                uv 0 … 1 over the square about it
@@ -22,6 +23,8 @@ Cone loadCone(int at) {
     vec4 a = sceneTexel(at);
     return Cone(axisBetween(a.xyz, sceneTexel(at + 1).xyz), a.w);
 }
+
+vec4 ballCone(Cone cone) { return vec4(onAxis(cone.axis, vec3(0.0)), length(vec2(cone.axis.halfLength, cone.radius))); }
 
 // Sine and cosine of the angle between axis and side.
 vec2 coneAngle(Cone cone) { return normalize(vec2(cone.radius, 2.0 * cone.axis.halfLength)); }
@@ -56,8 +59,7 @@ vec2 coneSide(Cone cone, AxialRay local) {
 
 bool intersectCone(Cone cone, Ray ray, float side, inout float t) {
     if (side > 0.0) return false; // convex: what leaves it never comes back
-    float reach = length(vec2(cone.axis.halfLength, cone.radius));
-    if (side == 0.0 && passesBy(ray.origin - onAxis(cone.axis, vec3(0.0)), ray.direction, reach)) return false;
+    if (side == 0.0 && passesBy(ray, ballCone(cone))) return false;
     AxialRay local = axialRay(cone.axis, ray);
     vec2 span = commonSpan(coneSide(cone, local), slabSpan(local.along, local.alongStep, cone.axis.halfLength));
     return meetConvex(local.near, span, ray, side, t);

@@ -1,5 +1,6 @@
 // Cylinder: the points within `radius` of the line from one point to another, between the two planes across its ends.
 //
+// ballCylinder       about the middle of the axis
 // intersectCylinder  nearest t in (ray.tMin, t); from inside the far side
 // surfaceCylinder    point put back onto side or end; u runs once around, v from 0 at `to` to 1 at `from`; each end shows
 //                    uv 0 … 1 over the square about it
@@ -20,10 +21,11 @@ Cylinder loadCylinder(int at) {
     return Cylinder(axisBetween(a.xyz, sceneTexel(at + 1).xyz), a.w);
 }
 
+vec4 ballCylinder(Cylinder cylinder) { return vec4(onAxis(cylinder.axis, vec3(0.0)), length(vec2(cylinder.axis.halfLength, cylinder.radius))); }
+
 bool intersectCylinder(Cylinder cylinder, Ray ray, float side, inout float t) {
     if (side > 0.0) return false; // convex: what leaves it never comes back
-    float reach = length(vec2(cylinder.axis.halfLength, cylinder.radius));
-    if (side == 0.0 && passesBy(ray.origin - onAxis(cylinder.axis, vec3(0.0)), ray.direction, reach)) return false;
+    if (side == 0.0 && passesBy(ray, ballCylinder(cylinder))) return false;
     AxialRay local = axialRay(cylinder.axis, ray);
     vec2 span = commonSpan(roundSpan(local.across, local.acrossStep, cylinder.radius),
                            slabSpan(local.along, local.alongStep, cylinder.axis.halfLength));

@@ -1,5 +1,6 @@
 // Disc: the points of a plane within `radius` of `center`.
 //
+// ballDisc       about its centre
 // intersectDisc  t of the plane in (ray.tMin, t) where it lies within the radius
 // surfaceDisc    the point put back onto the plane; uv as in planar.glsl
 // Error          band 2^-22 radius, ray 1.5 ulp, point 2 and normal 1 roundings, as docs/numerics.md names them
@@ -19,6 +20,8 @@ Disc loadDisc(int at) {
     return Disc(a.xyz, a.w, sceneTexel(at + 1).xyz);
 }
 
+vec4 ballDisc(Disc disc) { return vec4(disc.center, disc.radius); }
+
 // Where the ray meets the disc's plane, relative to its centre.
 vec3 discOffset(Disc disc, Ray ray, out float t) {
     NearRay near = recentre(ray.origin, disc.center, ray.direction);
@@ -28,7 +31,7 @@ vec3 discOffset(Disc disc, Ray ray, out float t) {
 }
 
 bool intersectDisc(Disc disc, Ray ray, float side, inout float t) {
-    if (side != 0.0 || passesBy(ray.origin - disc.center, ray.direction, disc.radius)) return false;
+    if (side != 0.0 || passesBy(ray, ballDisc(disc))) return false;
     float hit;
     vec3 offset = discOffset(disc, ray, hit);
     if (!(hit > ray.tMin && hit < t && dot(offset, offset) <= disc.radius * disc.radius)) return false;

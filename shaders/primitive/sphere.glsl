@@ -1,5 +1,6 @@
 // Sphere: the points at distance `radius` from `center`.
 //
+// ballSphere       itself
 // intersectSphere  nearest t in (ray.tMin, t) along the unit direction; from inside the far side
 // surfaceSphere    point and normal exact to the radius' own rounding; uv = longitude, latitude (u = 0 at -x, v = 0 at +y)
 // Error            band 2^-22 radius, ray 1.5 ulp, point 2 and normal 2 roundings, as docs/numerics.md names them
@@ -16,6 +17,8 @@ Sphere loadSphere(int at) {
     return Sphere(a.xyz, a.w);
 }
 
+vec4 ballSphere(Sphere sphere) { return vec4(sphere.center, sphere.radius); }
+
 // Half the chord, and the foot of the centre on the ray relative to the centre; negative where the ray passes by.
 float halfChord(Sphere sphere, NearRay near, vec3 direction, out vec3 foot, out float fromNear) {
     float a = dot(direction, direction);
@@ -28,7 +31,7 @@ float halfChord(Sphere sphere, NearRay near, vec3 direction, out vec3 foot, out 
 
 bool intersectSphere(Sphere sphere, Ray ray, float side, inout float t) {
     if (side > 0.0) return false; // convex: what leaves it never comes back
-    if (passesBy(ray.origin - sphere.center, ray.direction, sphere.radius)) return false;
+    if (passesBy(ray, ballSphere(sphere))) return false;
     NearRay near = recentre(ray.origin, sphere.center, ray.direction);
     vec3 foot;
     float fromNear;

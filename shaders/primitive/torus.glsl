@@ -1,5 +1,6 @@
 // Torus: the points at distance `minor` from a circle of radius `major` about `center`, in the plane across `axis`.
 //
+// ballTorus       about its centre
 // intersectTorus  nearest t in (ray.tMin, t)
 // surfaceTorus    point and normal exact to a few ulp of major + minor; u runs around the axis, v around the tube,
 //                 downward outside
@@ -24,6 +25,8 @@ Torus loadTorus(int at) {
     vec4 b = sceneTexel(at + 1);
     return Torus(a.xyz, a.w, b.xyz, b.w);
 }
+
+vec4 ballTorus(Torus torus) { return vec4(torus.center, torus.major + torus.minor); }
 
 // A ray as the torus sees it, from the re-centred origin: its parts along the axis and across it.
 struct TubeRay {
@@ -198,7 +201,7 @@ bool firstCrossing(Torus torus, TubeRay ray, vec2 bounds, float side, out float 
 }
 
 bool intersectTorus(Torus torus, Ray ray, float side, inout float t) {
-    if (passesBy(ray.origin - torus.center, ray.direction, torus.major + torus.minor)) return false;
+    if (passesBy(ray, ballTorus(torus))) return false;
     NearRay near = recentre(ray.origin, torus.center, ray.direction);
     TubeRay tube = tubeRay(torus, near.origin, ray.direction);
     vec2 bounds = torusBounds(torus, tube);

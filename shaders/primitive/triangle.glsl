@@ -1,5 +1,6 @@
 // Triangle: three vertices; the normal follows their winding (counter-clockwise seen from its tip).
 //
+// ballTriangle       about the middle of the vertices
 // intersectTriangle  t in (ray.tMin, t); watertight: a ray through a shared edge or vertex hits at least one of the
 //                    triangles that share it
 // surfaceTriangle    the point from its barycentric weights: exact to the vertices' own rounding; uv = weights of b and c
@@ -16,6 +17,12 @@ struct Triangle {
 
 Triangle loadTriangle(int at) {
     return Triangle(sceneTexel(at).xyz, sceneTexel(at + 1).xyz, sceneTexel(at + 2).xyz);
+}
+
+vec4 ballTriangle(Triangle triangle) {
+    vec3 middle = (triangle.a + triangle.b + triangle.c) / 3.0;
+    float reach = max(max(distance(middle, triangle.a), distance(middle, triangle.b)), distance(middle, triangle.c));
+    return vec4(middle, reach);
 }
 
 // Of the box about all triangles of the scene: their texels carry it along.

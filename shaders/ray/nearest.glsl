@@ -1,8 +1,9 @@
 // The scene as a whole: which object a ray meets first, whether anything lies in its way, and the surface there.
 //
-// Objects are numbered by kind, in each kind those first that cast shadows. One loop a kind, over all of its objects or over
-// those that its hierarchy comes to; which of the two changes nothing in the answer: of objects at the same distance the one
-// with the lowest number is met. nearestHit keeps only t and the number, the surface is worked out once, afterwards.
+// Objects are numbered by kind, as layoutOf() in tracer/accel/layout.h says, in each kind those first that cast shadows. One
+// loop a kind, over all of its objects or over those that a search comes to; which search changes nothing in the answer: of
+// objects at the same distance the one with the lowest number is met. nearestHit keeps only t and the number, the surface is
+// worked out once, afterwards.
 #if OUTPUT == WORK
 // What this pixel has asked so far: boxes, objects, and how many shadow rays.
 ivec3 work = ivec3(0);
@@ -10,8 +11,8 @@ ivec3 work = ivec3(0);
 #for Shape in SHAPES
 #include "primitive/$shape.glsl"
 #endfor
-#if HIERARCHIES
-#include "accel/hierarchy.glsl"
+#if SEARCHES
+#include "accel/search.glsl"
 #endif
 
 const float kFar = 3e38;
@@ -32,16 +33,15 @@ int nearestHit(Ray ray, out float t) {
     t = kFar;
     int nearest = -1;
 #for Shape in SHAPES
-#if $SHAPE_HIERARCHY
-    GridRay ray$Shape = gridRay(k$ShapeGrid, ray);
-    int node$Shape = 0;
+#if $SHAPE_SEARCHED
+    Search$Shape search$Shape = start$Shape(ray);
     for (int i = 0; i <= k$ShapeCount; ++i) {
-        int leaf = nextLeaf(ray$Shape, k$ShapeGrid + 2, k$ShapeNodes, t, node$Shape);
-        if (leaf < 0) break;
+        int index = next$Shape(search$Shape, ray, t);
+        if (index < 0) break;
         float limit = uintBitsToFloat(floatBitsToUint(t) + 1u); // a hit at the same distance counts
-        if (meets$Shape(leaf, ray, limit) && (limit < t || k$ShapeFirst + leaf < nearest)) {
+        if (meets$Shape(index, ray, limit) && (limit < t || k$ShapeFirst + index < nearest)) {
             t = limit;
-            nearest = k$ShapeFirst + leaf;
+            nearest = k$ShapeFirst + index;
         }
     }
 #else
@@ -59,13 +59,12 @@ bool occluded(Ray ray, float distance) {
 #endif
     float t = distance;
 #for Shape in CASTERS
-#if $SHAPE_HIERARCHY
-    GridRay ray$Shape = gridRay(k$ShapeGrid, ray);
-    int node$Shape = 0;
+#if $SHAPE_SEARCHED
+    Search$Shape search$Shape = start$Shape(ray);
     for (int i = 0; i <= k$ShapeCount; ++i) {
-        int leaf = nextLeaf(ray$Shape, k$ShapeGrid + 2, k$ShapeNodes, t, node$Shape);
-        if (leaf < 0) break;
-        if (leaf < k$ShapeCasters && meets$Shape(leaf, ray, t)) return true;
+        int index = next$Shape(search$Shape, ray, t);
+        if (index < 0) break;
+        if (index < k$ShapeCasters && meets$Shape(index, ray, t)) return true;
     }
 #else
     for (int i = 0; i < k$ShapeCasters; ++i)

@@ -4,8 +4,8 @@
 //           factors are halves of 12 bits, rounded to nearest, so that each partial sum is a multiple of its own last
 //           place; what the difference of origin and center loses is added at the end, where nothing cancels any more.
 //           |error of the new origin| <= 1 ulp of the closest distance, from any distance (4.9e-4 naively at 1e4 units)
-// passesBy  whether the ray's line passes a sphere of that radius about the origin by, with the room that rounding from far
-//           away needs; most shapes are dismissed by this alone
+// passesBy  whether the ray's line passes a ball by, {centre, radius} or of that radius about the origin, with the room that
+//           rounding from far away needs; most shapes are dismissed by this alone
 // Source    Dekker's splitting and Knuth's exact difference; figures in docs/numerics.md
 // Limits    any direction but 0. Some compilers fold d - dh back into d, or (a - b) - a into -b: the zero of the frame
 //           block, opaque to them, keeps them apart
@@ -41,3 +41,5 @@ bool passesBy(vec3 toOrigin, vec3 direction, float reach) {
     float room = reach + 1e-6 * (abs(toOrigin.x) + abs(toOrigin.y) + abs(toOrigin.z));
     return dot(moment, moment) > room * room * dot(direction, direction) * 1.00001;
 }
+
+bool passesBy(Ray ray, vec4 ball) { return passesBy(ray.origin - ball.xyz, ray.direction, ball.w); }

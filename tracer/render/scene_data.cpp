@@ -1,5 +1,6 @@
 #include "tracer/render/scene_data.h"
 
+#include "tracer/accel/block.h"
 #include "tracer/accel/node_texels.h"
 
 #include <algorithm>
@@ -8,17 +9,6 @@
 
 namespace gnomon {
 namespace {
-
-/// Object indices in the shader's order: by kind, within a kind the casters first, else as in the file.
-std::vector<int> shaderOrder(const Scene& scene, const std::vector<ShapeKind>& kinds) {
-    std::vector<int> order(scene.objects.size());
-    for (std::size_t i = 0; i < order.size(); ++i) order[i] = int(i);
-    const auto place = [&](int i) {
-        return std::pair(kinds[std::size_t(i)], !scene.objects[std::size_t(i)].castsShadow);
-    };
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return place(a) < place(b); });
-    return order;
-}
 
 int slotOf(const std::vector<std::string>& images, const std::string& name) {
     return name.empty() ? -1 : int(std::find(images.begin(), images.end(), name) - images.begin());
@@ -108,10 +98,20 @@ std::vector<std::pair<std::string, int>> constantsOf(const Features& features) {
         object += kind.count;
     }
     for (const KindCount& kind : features.shapes) {
-        if (!kind.hierarchy) continue;
         const std::string name = "k" + std::string(shapeRow(kind.kind).type);
-        constants.insert(constants.end(), {{name + "Grid", texel}, {name + "Nodes", nodesFor(kind.count)}});
-        texel += hierarchyTexels(kind.count);
+        if (kind.blockMembers() > 0) {
+            constants.insert(constants.end(), {{name + "Block", texel},
+                                               {name + "BlockX", kind.block.x},
+                                               {name + "BlockY", kind.block.y},
+                                               {name + "BlockZ", kind.block.z}});
+            texel += kBlockTexels;
+        }
+        if (kind.search == Search::Hierarchy) {
+            constants.insert(constants.end(), {{name + "Grid", texel}, {name + "Nodes", nodesFor(kind.loose())}});
+            texel += hierarchyTexels(kind.loose());
+        }
+        if (kind.blockMembers() > 0 || kind.search != Search::Loop)
+            constants.emplace_back(name + "Loose", kind.blockMembers());
     }
     const auto block = [&](const char* name, int count, int size) {
         constants.emplace_back(std::string("k") + name + "Base", texel);
@@ -127,17 +127,17 @@ std::vector<std::pair<std::string, int>> constantsOf(const Features& features) {
 }
 
 ScenePacker::ScenePacker(const Scene& scene, glm::dvec3 origin)
-    : scene_(scene), origin_(origin), kinds_(drawnKinds(scene)), order_(shaderOrder(scene, kinds_)),
-      images_(imageSlots(scene)) {}
+    : scene_(scene), origin_(origin), layout_(layoutOf(scene)), images_(imageSlots(scene)) {}
 
 std::span<const glm::vec4> ScenePacker::pack(const Features& features, double time, glm::dvec3 eye) {
     std::vector<Shape> shapes = shapesAbout(time);
     noteMiddleOfTriangles(shapes);
     texels_.clear();
     packShapes(shapes, eye - origin_);
-    packHierarchies(features, shapes, glm::vec3(eye - origin_));
-    for (const int i : order_)
-        texels_.emplace_back(float(scene_.objects[std::size_t(i)].material), float(i), 0.0f, 0.0f);
+    packSearches(features, shapes, glm::vec3(eye - origin_));
+    for (const KindLayout& kind : layout_)
+        for (const int i : kind.objects)
+            texels_.emplace_back(float(scene_.objects[std::size_t(i)].material), float(i), 0.0f, 0.0f);
     for (const Material& material : scene_.materials) packMaterial(material, images_, time, texels_);
     packLights();
     if (features.glows > 0) packGlows(shapes);
@@ -159,25 +159,31 @@ std::vector<Shape> ScenePacker::shapesAbout(double time) const {
 }
 
 void ScenePacker::packShapes(const std::vector<Shape>& shapes, glm::dvec3 eye) {
-    for (const int i : order_) {
-        const Shape drawn = drawnAs(kinds_[std::size_t(i)], shapes[std::size_t(i)], eye);
-        for (int k = 0; k < shapeRow(drawn.kind).texels; ++k) texels_.emplace_back(drawn.texels[std::size_t(k)]);
+    for (const KindLayout& kind : layout_)
+        for (const int i : kind.objects) {
+            const Shape drawn = drawnAs(kind.kind, shapes[std::size_t(i)], eye);
+            for (int k = 0; k < shapeRow(kind.kind).texels; ++k) texels_.emplace_back(drawn.texels[std::size_t(k)]);
+        }
+}
+
+void ScenePacker::packSearches(const Features& features, const std::vector<Shape>& shapes, glm::vec3 eye) {
+    for (std::size_t k = 0; k < layout_.size(); ++k) {
+        const KindCount& kind = features.shapes[k];
+        const std::span<const int> objects = layout_[k].objects;
+        const auto shape = [&](std::size_t i) { return shapes[std::size_t(objects[i])]; };
+        const auto members = std::size_t(kind.blockMembers());
+        if (members > 0) appendTexels(kind.block, shape(0), shape(members - 1), texels_);
+        if (kind.search == Search::Hierarchy)
+            packHierarchy(hierarchies_[std::size_t(kind.kind)], objects.subspan(members), shapes, eye);
     }
 }
 
-void ScenePacker::packHierarchies(const Features& features, const std::vector<Shape>& shapes, glm::vec3 eye) {
-    auto object = order_.begin();
-    for (const KindCount& kind : features.shapes) {
-        const auto end = object + kind.count;
-        if (kind.hierarchy) {
-            bounds_.clear();
-            for (auto i = object; i != end; ++i) bounds_.push_back(*boundsOf(shapes[std::size_t(*i)]));
-            Hierarchy& hierarchy = hierarchies_[std::size_t(kind.kind)];
-            update(hierarchy, bounds_);
-            appendTexels(hierarchy, eye, texels_);
-        }
-        object = end;
-    }
+void ScenePacker::packHierarchy(Hierarchy& hierarchy, std::span<const int> objects, const std::vector<Shape>& shapes,
+                                glm::vec3 eye) {
+    bounds_.clear();
+    for (const int i : objects) bounds_.push_back(*boundsOf(shapes[std::size_t(i)]));
+    update(hierarchy, bounds_);
+    appendTexels(hierarchy, eye, texels_);
 }
 
 void ScenePacker::packLights() {

@@ -6,6 +6,7 @@
 #pragma once
 
 #include "tracer/accel/hierarchy.h"
+#include "tracer/accel/layout.h"
 #include "tracer/scene/scene.h"
 #include "tracer/shader/features.h"
 
@@ -42,14 +43,14 @@ class ScenePacker {
   private:
     std::vector<Shape> shapesAbout(double time) const;
     void packShapes(const std::vector<Shape>&, glm::dvec3 eye);
-    void packHierarchies(const Features&, const std::vector<Shape>&, glm::vec3 eye);
+    void packSearches(const Features&, const std::vector<Shape>&, glm::vec3 eye);
+    void packHierarchy(Hierarchy&, std::span<const int> objects, const std::vector<Shape>&, glm::vec3 eye);
     void packLights();
     void packGlows(const std::vector<Shape>&);
 
     Scene scene_;
     glm::dvec3 origin_;
-    std::vector<ShapeKind> kinds_;    ///< drawnKinds()
-    std::vector<int> order_;          ///< objects as the shader numbers them
+    std::vector<KindLayout> layout_;  ///< layoutOf()
     std::vector<std::string> images_; ///< imageSlots()
     std::array<Hierarchy, kShapeKinds> hierarchies_;
     std::vector<Bounds> bounds_; ///< of one kind; kept for its memory

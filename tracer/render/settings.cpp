@@ -365,7 +365,9 @@ std::string percentEncoded(std::string_view text) {
 
 } // namespace
 
-int channelsOf(Aov aov) { return aov == Aov::Color || aov == Aov::Position || aov == Aov::Normal || aov == Aov::Work ? 3 : 1; }
+int channelsOf(Aov aov) {
+    return aov == Aov::Color || aov == Aov::Position || aov == Aov::Normal || aov == Aov::Work ? 3 : 1;
+}
 
 std::span<const SettingRow> settingsTable() {
     static const std::vector<SettingRow> table = makeTable();

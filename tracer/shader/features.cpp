@@ -1,6 +1,7 @@
 #include "tracer/shader/features.h"
 
 #include "tracer/accel/hierarchy.h"
+#include "tracer/accel/layout.h"
 #include "tracer/render/scene_data.h"
 
 #include <algorithm>
@@ -8,43 +9,56 @@
 namespace gnomon {
 namespace {
 
-/// Of asking an object, in boxes.
-constexpr double kPrimitiveCost = 1;
+/// Of asking an object, and its ball, in boxes.
+constexpr double kObjectCost = 2;
+constexpr double kBallCost = 0.3;
+/// Bits of the sieve.
+constexpr int kMostSieved = 24;
 
 /// Entries of the stack for trees of that depth. The depth itself stays a uniform; two sizes, since a GPU holds the
 /// stack in registers of every pixel (docs/results.md), and a shader for each depth would compile at every press of a
 /// key.
 int stackFor(int depth) { return depth <= 4 ? 3 : 7; }
 
-std::vector<KindCount> countKinds(const Scene& scene) {
-    std::array<KindCount, kShapeKinds> counts{};
-    const std::vector<ShapeKind> kinds = drawnKinds(scene);
-    for (std::size_t i = 0; i < kinds.size(); ++i) {
-        KindCount& kind = counts[std::size_t(kinds[i])];
-        kind.kind = kinds[i];
-        ++kind.count;
-        kind.casters += scene.objects[i].castsShadow;
+/// What a search takes a ray, in boxes: the objects that it asks, and what leads to them.
+double costOf(Search search, const Hierarchy& hierarchy, int objects) {
+    switch (search) {
+    case Search::Loop: return kObjectCost * objects;
+    case Search::Sieve: return kBallCost * objects + kObjectCost * hierarchy.leaves();
+    case Search::Hierarchy: break;
     }
-    std::vector<KindCount> present;
-    std::copy_if(counts.begin(), counts.end(), std::back_inserter(present),
-                 [](const KindCount& kind) { return kind.count > 0; });
-    return present;
+    return hierarchy.cost() + kObjectCost * hierarchy.leaves();
 }
 
-/// A hierarchy for each kind where it pays: a loop asks every object, a hierarchy some boxes and then few objects.
-void chooseHierarchies(const Scene& scene, Accel accel, std::vector<KindCount>& kinds) {
-    const std::vector<ShapeKind> drawn = drawnKinds(scene);
+/// The search for the objects that make no block.
+Search searchFor(const KindLayout& layout, int blockMembers, const std::vector<Shape>& shapes, Accel accel) {
+    const int loose = int(layout.objects.size()) - blockMembers;
+    if (!shapeRow(layout.kind).extent || loose < (blockMembers > 0 ? 1 : 2)) return Search::Loop;
+    std::vector<Bounds> bounds;
+    for (auto i = layout.objects.begin() + blockMembers; i != layout.objects.end(); ++i)
+        bounds.push_back(*boundsOf(shapes[std::size_t(*i)]));
+    if (accel == Accel::Hierarchy) return Search::Hierarchy;
+    const Hierarchy hierarchy = build(bounds);
+    std::vector<Search> possible{Search::Hierarchy};
+    if (loose <= kMostSieved) possible.push_back(Search::Sieve);
+    if (blockMembers == 0) possible.push_back(Search::Loop);
+    return *std::min_element(possible.begin(), possible.end(), [&](Search a, Search b) {
+        return costOf(a, hierarchy, loose) < costOf(b, hierarchy, loose);
+    });
+}
+
+std::vector<KindCount> countKinds(const Scene& scene, Accel accel) {
     const std::vector<Shape> shapes = shapesAt(scene, 0);
-    for (KindCount& kind : kinds) {
-        const ShapeRow& row = shapeRow(kind.kind);
-        if (!row.extent || kind.count < 2) continue;
-        std::vector<Bounds> bounds;
-        for (std::size_t i = 0; i < shapes.size(); ++i)
-            if (drawn[i] == kind.kind) bounds.push_back(*boundsOf(shapes[i]));
-        const Hierarchy hierarchy = build(bounds);
-        const double walk = hierarchy.cost() + kPrimitiveCost * hierarchy.leaves();
-        kind.hierarchy = accel == Accel::Hierarchy || walk < kPrimitiveCost * kind.count;
+    std::vector<KindCount> kinds;
+    for (const KindLayout& layout : layoutOf(scene)) {
+        KindCount kind{layout.kind, int(layout.objects.size()), layout.casters, glm::ivec3(0), Search::Loop};
+        if (accel != Accel::None) {
+            if (accel != Accel::Hierarchy) kind.block = layout.block;
+            kind.search = searchFor(layout, kind.blockMembers(), shapes, accel);
+        }
+        kinds.push_back(kind);
     }
+    return kinds;
 }
 
 void addSlot(const std::string& image, const std::vector<std::string>& images, std::vector<int>& slots) {
@@ -73,8 +87,7 @@ int Features::objects() const {
 
 Features featuresOf(const Scene& scene, const Settings& settings, int maxBlockTexels, bool es300) {
     Features features;
-    features.shapes = countKinds(scene);
-    if (settings.accel != Accel::None) chooseHierarchies(scene, settings.accel, features.shapes);
+    features.shapes = countKinds(scene, settings.accel);
     features.output = settings.aov;
     features.es300 = es300;
     features.linear = scene.encoding == Encoding::Linear;

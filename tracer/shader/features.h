@@ -10,11 +10,22 @@
 
 namespace gnomon {
 
-/// Objects of one kind: the first `casters` of them cast shadows.
+/// How rays find those objects of a kind that they may meet.
+enum class Search {
+    Loop,     ///< all are asked
+    Sieve,    ///< the balls of all, then the objects whose balls the ray does not pass by
+    Hierarchy ///< boxes
+};
+
+/// Objects of one kind, numbered as layoutOf() says: the first `casters` of them cast shadows.
 struct KindCount {
     ShapeKind kind = ShapeKind::Sphere;
     int count = 0, casters = 0;
-    bool hierarchy = false; ///< rays find them by a hierarchy of boxes, else one after the other
+    glm::ivec3 block{0};          ///< cells of the block that the first objects make and rays walk through; else 0
+    Search search = Search::Loop; ///< for the others
+
+    int blockMembers() const { return block.x * block.y * block.z; }
+    int loose() const { return count - blockMembers(); }
 };
 
 struct Features {

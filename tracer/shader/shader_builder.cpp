@@ -23,6 +23,20 @@ std::string mapped(std::string text, int (*change)(int)) {
     return text;
 }
 
+/// How rays find the objects of a kind.
+void addSearch(const KindCount& kind, Names& names) {
+    const std::string type = mapped(std::string(shapeRow(kind.kind).type), std::toupper);
+    const bool block = kind.blockMembers() > 0, searched = block || kind.search != Search::Loop;
+    names.values[type + "_SEARCH"] = int(kind.search);
+    names.values[type + "_SEARCHED"] = searched;
+    names.values[type + "_BLOCK"] = block;
+    names.values["SEARCHES"] |= int(searched);
+    names.values["BLOCKS"] |= int(block);
+    names.values["HIERARCHIES"] |= int(kind.search == Search::Hierarchy);
+    auto& loose = names.lists[type + "_LOOSE"];
+    for (int i = 0; i < kind.loose() && kind.search == Search::Sieve; ++i) loose.push_back(std::to_string(i));
+}
+
 Names namesOf(const Features& f) {
     Names names;
     names.values = {
@@ -48,14 +62,14 @@ Names namesOf(const Features& f) {
         {"OBJECT", int(Aov::Object)},
         {"VISIBILITY", int(Aov::Visibility)},
         {"WORK", int(Aov::Work)},
+        {"HIERARCHY", int(Search::Hierarchy)},
     };
     auto& shapes = names.lists["SHAPES"];
     auto& casters = names.lists["CASTERS"];
     for (const KindCount& kind : f.shapes) {
         shapes.emplace_back(shapeRow(kind.kind).type);
         if (kind.casters > 0) casters.emplace_back(shapeRow(kind.kind).type);
-        names.values[mapped(std::string(shapeRow(kind.kind).type), std::toupper) + "_HIERARCHY"] = kind.hierarchy;
-        names.values["HIERARCHIES"] |= int(kind.hierarchy);
+        addSearch(kind, names);
     }
     auto& images = names.lists["IMAGE_SLOTS"];
     for (int i = 0; i < f.images; ++i) images.push_back(std::to_string(i));
@@ -214,7 +228,8 @@ class Builder {
 
     std::size_t loop(const Lines& lines, std::size_t at, std::size_t to, const Substitutions& words, int depth) {
         const auto starts = branches(lines, at, to);
-        const std::string_view line = trimmed(lines.text[at]);
+        const std::string text = substitute(trimmed(lines.text[at]), words);
+        const std::string_view line = text;
         const auto in = line.find(" in ");
         const auto list =
             in == std::string_view::npos ? names_.lists.end() : names_.lists.find(trimmed(line.substr(in + 4)));

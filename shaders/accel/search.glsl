@@ -1,0 +1,66 @@
+// Searches for the objects of a kind that a ray may meet: those of its regular block by walking from cell to cell, the others
+// by a sieve or a hierarchy of boxes. Which a kind has is chosen by tracer/shader/features.h.
+//
+// start  begins the search of a ray
+// next   number of the next object in its kind that the ray may meet nearer than `t`, -1 at the end; each comes once. The
+//        object that the ray starts on always comes.
+// sieve  a bit for each loose object whose ball the ray does not pass by. The balls are read in a fixed order, all lanes of
+//        a SIMD together: that costs less than the boxes that might spare some of them
+#if HIERARCHIES
+#include "accel/hierarchy.glsl"
+#endif
+#if BLOCKS
+#include "accel/block.glsl"
+#endif
+
+#for Shape in SHAPES
+#if $SHAPE_SEARCHED
+struct Search$Shape {
+#if $SHAPE_BLOCK
+    BlockWalk block;
+#endif
+#if $SHAPE_SEARCH == HIERARCHY
+    GridRay boxes;
+    int node;
+#else
+    uint sieve;
+#endif
+};
+
+Search$Shape start$Shape(Ray ray) {
+    Search$Shape search;
+#if $SHAPE_BLOCK
+    search.block = enterBlock(k$ShapeBlock, vec3(k$ShapeBlockX, k$ShapeBlockY, k$ShapeBlockZ), ray);
+#endif
+#if $SHAPE_SEARCH == HIERARCHY
+    search.boxes = gridRay(k$ShapeGrid, ray);
+    search.node = 0;
+#else
+    int self = ray.self - k$ShapeFirst - k$ShapeLoose;
+    search.sieve = self >= 0 && self < k$ShapeCount - k$ShapeLoose ? 1u << uint(self) : 0u;
+#for Bit in $SHAPE_LOOSE
+    if (!passesBy(ray, ball$Shape(load$Shape(k$ShapeBase + (k$ShapeLoose + $Bit) * k$ShapeTexels)))) search.sieve |= 1u << $Bitu;
+#endfor
+#endif
+    return search;
+}
+
+int next$Shape(inout Search$Shape search, Ray ray, float t) {
+#if $SHAPE_SEARCH == HIERARCHY
+    int leaf = nextLeaf(search.boxes, k$ShapeGrid + 2, k$ShapeNodes, t, search.node);
+    if (leaf >= 0) return k$ShapeLoose + leaf;
+#else
+    if (search.sieve != 0u) {
+        uint lowest = search.sieve & (~search.sieve + 1u);
+        search.sieve ^= lowest;
+        return k$ShapeLoose + int(floatBitsToUint(float(lowest)) >> 23) - 127; // its exponent
+    }
+#endif
+#if $SHAPE_BLOCK
+    return nextInBlock(k$ShapeBlock, vec3(k$ShapeBlockX, k$ShapeBlockY, k$ShapeBlockZ), ray, t, ray.self - k$ShapeFirst, search.block);
+#else
+    return -1;
+#endif
+}
+#endif
+#endfor

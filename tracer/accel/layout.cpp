@@ -1,0 +1,49 @@
+#include "tracer/accel/layout.h"
+
+#include "tracer/accel/block.h"
+
+#include <algorithm>
+
+namespace gnomon {
+namespace {
+
+/// Moves the block's members, if there is a block, to the front.
+void separateBlock(const Scene& scene, const std::vector<Shape>& shapes, KindLayout& layout) {
+    std::vector<int> resting;
+    for (const int i : layout.objects) {
+        const Object& object = scene.objects[std::size_t(i)];
+        if (object.castsShadow && !object.motion) resting.push_back(i);
+    }
+    const auto block = findBlock(shapes, resting);
+    if (!block) return;
+    layout.block = block->cells;
+    std::vector<int> order = block->members;
+    std::vector<bool> member(shapes.size(), false);
+    for (const int i : order) member[std::size_t(i)] = true;
+    std::copy_if(layout.objects.begin(), layout.objects.end(), std::back_inserter(order),
+                 [&](int i) { return !member[std::size_t(i)]; });
+    layout.objects = std::move(order);
+}
+
+} // namespace
+
+std::vector<KindLayout> layoutOf(const Scene& scene) {
+    const std::vector<ShapeKind> kinds = drawnKinds(scene);
+    const std::vector<Shape> shapes = shapesAt(scene, 0);
+    std::vector<KindLayout> layouts(kShapeKinds);
+    for (const bool casters : {true, false})
+        for (std::size_t i = 0; i < kinds.size(); ++i) {
+            if (scene.objects[i].castsShadow != casters) continue;
+            KindLayout& layout = layouts[std::size_t(kinds[i])];
+            layout.kind = kinds[i];
+            layout.objects.push_back(int(i));
+            layout.casters += casters;
+        }
+    layouts.erase(std::remove_if(layouts.begin(), layouts.end(), [](const auto& l) { return l.objects.empty(); }),
+                  layouts.end());
+    for (KindLayout& layout : layouts)
+        if (shapeRow(layout.kind).extent) separateBlock(scene, shapes, layout);
+    return layouts;
+}
+
+} // namespace gnomon
