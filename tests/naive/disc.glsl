@@ -1,8 +1,9 @@
 // Disc as textbooks have it: the baseline that shaders/primitive/disc.glsl is measured against.
 //
 // Source  the plane dot(normal, o + t d) = dot(normal, center), then the distance of o + t d from the centre
-// Limits  the rim is off by the rounding of o + t d. An epsilon keeps rays off their own start; side is ignored.
-//         No texture coordinates
+// Limits  the rim is off by the rounding of o + t d. An epsilon keeps rays off their own start; side is ignored
+#include "primitive/planar.glsl"
+
 struct Disc {
     vec3 center;
     float radius;
@@ -24,4 +25,9 @@ bool intersectDisc(Disc disc, Ray ray, float side, inout float t) {
     return true;
 }
 
-Surface surfaceDisc(Disc disc, Ray ray, float t) { return bareSurface(ray.origin + t * ray.direction, disc.normal, 0.0); }
+Surface surfaceDisc(Disc disc, Ray ray, float t) {
+    vec3 point = ray.origin + t * ray.direction;
+    Surface surface = surfacePlanar(disc.center, disc.normal, point - disc.center);
+    surface.point = point;
+    return surface;
+}

@@ -2,7 +2,9 @@
 //
 // Source  dot(normal, o + t d) = dot(normal, point)
 // Limits  both sides of the equation are of the size of the distance from the world's origin, and so is the error.
-//         An epsilon keeps rays off their own start; side is ignored. No texture coordinates
+//         An epsilon keeps rays off their own start; side is ignored
+#include "primitive/planar.glsl"
+
 struct Plane {
     vec3 point;
     vec3 normal;
@@ -20,5 +22,8 @@ bool intersectPlane(Plane plane, Ray ray, float side, inout float t) {
 }
 
 Surface surfacePlane(Plane plane, Ray ray, float t) {
-    return bareSurface(ray.origin + t * ray.direction, plane.normal, 0.0);
+    vec3 point = ray.origin + t * ray.direction;
+    Surface surface = surfacePlanar(plane.point, plane.normal, point - plane.point);
+    surface.point = point;
+    return surface;
 }

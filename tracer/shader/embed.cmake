@@ -1,9 +1,9 @@
-# Writes OUTPUT: a C++ file with the text of every shader file under ROOT, sorted by name, as FUNCTION that HEADER declares.
-# PREFIX comes before each name.
-file(GLOB_RECURSE files RELATIVE ${ROOT} ${ROOT}/*.glsl ${ROOT}/*.frag ${ROOT}/*.vert)
-list(SORT files)
+# Writes OUTPUT: a C++ file with the text of every one of FILES, which lie under ROOT, sorted by name, as FUNCTION that HEADER
+# declares. PREFIX comes before each name, which is relative to ROOT.
+list(SORT FILES)
 set(body "")
-foreach(name ${files})
+foreach(file ${FILES})
+  file(RELATIVE_PATH name ${ROOT} ${file})
   file(READ ${ROOT}/${name} text)
   string(APPEND body "    {\"${PREFIX}${name}\", R\"__glsl__(${text})__glsl__\"},\n")
 endforeach()

@@ -1,0 +1,21 @@
+#include "tests/naive/naive.h"
+#include "tests/naive/source_tracing.h"
+
+#include <algorithm>
+#include <iterator>
+#include <vector>
+
+namespace gnomon {
+
+std::span<const ShaderFile> sourceShaders() {
+    static const std::vector<ShaderFile> files = [] {
+        const auto shapes = naiveShaders(), tracing = sourceTracing();
+        std::vector<ShaderFile> all;
+        std::merge(shapes.begin(), shapes.end(), tracing.begin(), tracing.end(), std::back_inserter(all),
+                   [](const ShaderFile& a, const ShaderFile& b) { return a.name < b.name; });
+        return all;
+    }();
+    return files;
+}
+
+} // namespace gnomon
