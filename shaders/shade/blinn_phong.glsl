@@ -21,7 +21,7 @@ vec3 reflectedLight(Light light, Material material, vec3 albedo, vec3 point, vec
 #endif
 
 vec3 shade(Material material, Surface surface, int self, vec3 facing, vec3 normal, vec3 toEye, vec3 tint, vec3 share) {
-    vec3 color = (material.emission + material.ambient) * tint;
+    vec3 color = material.own * tint;
 #if LIGHTS
     vec3 albedo = material.diffuse * tint;
     bool lit = any(greaterThan(material.diffuse + material.specular, vec3(0.0)));
@@ -35,7 +35,7 @@ vec3 shade(Material material, Surface surface, int self, vec3 facing, vec3 norma
             light = loadLight(next);
             added = reflectedLight(light, material, albedo, surface.point, facing, normal, toEye);
             vec3 seen = added * share;
-            if (max(seen.r, max(seen.g, seen.b)) >= frame.options.x) break;
+            if (max(seen.r, max(seen.g, seen.b)) >= max(frame.options.x, 1e-30)) break;
         }
         if (next >= kLightCount) break;
         ++next;

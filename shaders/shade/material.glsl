@@ -1,7 +1,8 @@
-// Materials as packScene() writes them: eight texels each.
+// Materials as ScenePacker writes them: six texels each.
 //
 // optics  kPlain, kConductor (reflects by f0), kDielectric (reflects and refracts by ior), kCoat (reflects by f0, keeps its
 //         own colour); f0 is the reflectance at normal incidence
+// own     light of the surface itself: emitted, and reflected from all around
 // slots   of images: -1 where there is none
 const int kPlain = 0;
 const int kConductor = 1;
@@ -9,7 +10,7 @@ const int kDielectric = 2;
 const int kCoat = 3;
 
 struct Material {
-    vec3 ambient, diffuse, specular, emission, f0;
+    vec3 diffuse, specular, own, f0;
     float shininess, ior;
     int optics;
     int texture, normalMap, mask;
@@ -17,12 +18,12 @@ struct Material {
 };
 
 Material loadMaterial(int index) {
-    int at = kMaterialBase + index * 8;
-    vec4 ambient = sceneTexel(at);
-    vec4 diffuse = sceneTexel(at + 1);
-    vec4 specular = sceneTexel(at + 2);
-    vec4 emission = sceneTexel(at + 3);
-    vec4 f0 = sceneTexel(at + 4);
-    return Material(ambient.rgb, diffuse.rgb, specular.rgb, emission.rgb, f0.rgb, ambient.a, diffuse.a, int(specular.a),
-                    int(emission.a), int(f0.a), int(sceneTexel(at + 7).x), sceneTexel(at + 5), sceneTexel(at + 6));
+    int at = kMaterialBase + index * 6;
+    vec4 diffuse = sceneTexel(at);
+    vec4 specular = sceneTexel(at + 1);
+    vec4 own = sceneTexel(at + 2);
+    vec4 f0 = sceneTexel(at + 3);
+    int slots = int(f0.a);
+    return Material(diffuse.rgb, specular.rgb, own.rgb, f0.rgb, diffuse.a, own.a, int(specular.a), (slots & 255) - 1,
+                    ((slots >> 8) & 255) - 1, (slots >> 16) - 1, sceneTexel(at + 4), sceneTexel(at + 5));
 }

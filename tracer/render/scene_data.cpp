@@ -43,13 +43,17 @@ glm::vec4 placement(const std::optional<TextureUse>& use, double time) {
     return glm::vec4(use->scale, moved - glm::floor(moved));
 }
 
+/// More than there are texture units: three slots in one number, as shaders/shade/material.glsl takes it apart.
+constexpr int kSlots = 256;
+
 void packMaterial(const Material& m, const std::vector<std::string>& images, double time, std::vector<glm::vec4>& out) {
     const Optics optics = opticsOf(m, images);
     const auto slot = [&](const std::optional<TextureUse>& use) { return use ? slotOf(images, use->image) : -1; };
+    const int slots = slot(m.texture) + 1 + kSlots * (slot(m.normalMap) + 1 + kSlots * (optics.mask + 1));
     out.insert(out.end(),
-               {glm::vec4(m.ambient, m.shininess), glm::vec4(m.diffuse, optics.ior), glm::vec4(m.specular, optics.kind),
-                glm::vec4(m.emission, slot(m.texture)), glm::vec4(optics.f0, slot(m.normalMap)),
-                placement(m.texture, time), placement(m.normalMap, time), glm::vec4(optics.mask, 0, 0, 0)});
+               {glm::vec4(m.diffuse, m.shininess), glm::vec4(m.specular, optics.kind),
+                glm::vec4(m.ambient + m.emission, optics.ior), glm::vec4(optics.f0, slots), placement(m.texture, time),
+                placement(m.normalMap, time)});
 }
 
 /// Into the free components of every triangle goes the middle of the box about all of them: rays are re-centred on it.

@@ -20,7 +20,7 @@
 
 namespace gnomon {
 
-inline constexpr int kMaterialTexels = 8;
+inline constexpr int kMaterialTexels = 6;
 inline constexpr int kLightTexels = 2;
 inline constexpr int kGlowTexels = 2;
 

@@ -1,7 +1,7 @@
 // Blinn–Phong as shaders/shade/blinn_phong.glsl has it, but a shadow ray goes to every light from every surface: where the
 // light is behind it, where it has neither colour nor highlight to show, and where it hardly adds to the picture.
 vec3 shade(Material material, vec3 point, vec3 facing, vec3 normal, Ray ray, vec3 tint) {
-    vec3 color = (material.emission + material.ambient) * tint;
+    vec3 color = material.own * tint;
 #if LIGHTS
     vec3 albedo = material.diffuse * tint;
     for (int i = 0; i < kLightCount; ++i) {
