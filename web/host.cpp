@@ -10,12 +10,15 @@
 #include "tracer/render/settings.h"
 #include "tracer/render/viewer.h"
 #include "tracer/scene/read_scene.h"
+#include "tracer/shader/library.h"
 
 #include <emscripten.h>
 #include <emscripten/html5.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstring>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -191,6 +194,22 @@ EMSCRIPTEN_KEEPALIVE int programState() { return int(host.viewer->renderer().pol
 EMSCRIPTEN_KEEPALIVE double compileMs() { return host.viewer->renderer().stats().compileMs; }
 EMSCRIPTEN_KEEPALIVE int sourceBytes() { return int(host.viewer->renderer().stats().sourceBytes); }
 EMSCRIPTEN_KEEPALIVE const char* shaderSource() { return give(host.viewer->renderer().source()); }
+
+/// Takes shader files of the page's own in the place of the library's: a JSON object of their texts by name.
+EMSCRIPTEN_KEEPALIVE const char* replaceShaders(const char* json) {
+    // Kept for good: the line maps of programs point into them.
+    static std::deque<std::string> kept;
+    std::vector<ShaderFile> files;
+    Problems problems;
+    const auto texts = nlohmann::json::parse(json, nullptr, false);
+    for (const auto& [name, text] : texts.items()) {
+        if (shaderText(name).empty()) problems.push_back({"shaders/" + name, 0, {}, "there is no such shader file", {}});
+        const std::string& keptName = kept.emplace_back(name);
+        files.push_back({keptName, kept.emplace_back(text.get<std::string>())});
+    }
+    if (problems.empty()) host.viewer->renderer().replaceShaders(files);
+    return give(toString(problems));
+}
 
 EMSCRIPTEN_KEEPALIVE double framesPerSecond() { return host.viewer->framesPerSecond(); }
 EMSCRIPTEN_KEEPALIVE const char* title() { return give(host.viewer->title()); }

@@ -35,6 +35,9 @@ class ProgramCache {
     explicit ProgramCache(bool pollable, std::span<const ShaderFile> overrides = {})
         : pollable_(pollable), overrides_(overrides.begin(), overrides.end()) {}
 
+    /// Other overrides for the programs to come; those there are stay.
+    void setOverrides(std::span<const ShaderFile> overrides) { overrides_.assign(overrides.begin(), overrides.end()); }
+
     /// The program for the features, begun where it is new. Null, with problems, where the library itself is at fault.
     std::shared_ptr<CachedProgram> get(const Features&, Problems&);
 

@@ -365,6 +365,11 @@ void Renderer::configure(const Settings& settings) {
     if (impl_->drawn) impl_->drawnSettings = settings;
 }
 
+void Renderer::replaceShaders(std::span<const ShaderFile> overrides) {
+    impl_->programs.setOverrides(overrides);
+    impl_->choose();
+}
+
 ProgramState Renderer::poll(Problems& problems) {
     problems.insert(problems.end(), impl_->pending.begin(), impl_->pending.end());
     impl_->pending.clear();

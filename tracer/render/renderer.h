@@ -50,6 +50,9 @@ class Renderer {
     bool setScene(const Scene&, Problems&);
     void setImage(const std::string& name, const Image&);
 
+    /// Other overrides from here on, as in the constructor. What draws goes on until the new program is ready.
+    void replaceShaders(std::span<const ShaderFile> overrides);
+
     /// Chooses the program for the settings and starts to compile it where it is new; the old one draws on meanwhile.
     void configure(const Settings&);
 

@@ -96,6 +96,11 @@ export function makeApi() {
 
         stats: () => ({ compileMs: tracer.compileMs(), sourceBytes: tracer.sourceBytes(), renderer: session.renderer() }),
         source: () => tracer.source(),
+
+        async shaders(files) {
+          check(tracer.replaceShaders(files));
+          await session.settled();
+        },
       };
       Object.assign(api, methods);
       Object.defineProperties(api, {

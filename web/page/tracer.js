@@ -90,6 +90,7 @@ function wrap(module) {
     compileMs: () => module._compileMs(),
     sourceBytes: () => module._sourceBytes(),
     source: () => text(module._shaderSource()),
+    replaceShaders: (files) => text(withStrings('replaceShaders', JSON.stringify(files))),
     framesPerSecond: () => module._framesPerSecond(),
     title: () => text(module._title()),
     glRenderer: () => text(module._glRenderer()),
