@@ -20,12 +20,12 @@ struct GridRay {
 
 inline GridRay gridRay(std::span<const glm::vec4> grid, const Ray& ray) {
     const glm::vec3 cells(grid[1]);
-    const glm::vec3 origin = (ray.origin - glm::vec3(grid[0])) * cells;
+    const glm::vec3 away = ray.origin - glm::vec3(grid[0]), size = glm::abs(away);
+    const glm::vec3 room = 9.5e-7f * (std::max(size.x, std::max(size.y, size.z)) + grid[0].w) * cells;
+    const glm::vec3 origin = away * cells;
     glm::vec3 direction = ray.direction * cells;
     for (int i = 0; i < 3; ++i)
         if (std::abs(direction[i]) < 1e-18f) direction[i] = 1e-18f;
-    const glm::vec3 size = glm::abs(origin);
-    const float room = 9.5e-7f * (std::max(size.x, std::max(size.y, size.z)) + 4096.0f);
     return {origin + room, origin - room, 1.0f / direction};
 }
 
