@@ -31,7 +31,7 @@ struct Shot {
 
 Settings sized(Accel accel, Aov aov, int depth) {
     Settings settings;
-    settings.size = {160, 120};
+    settings.size = {161, 121}; // odd: the middle column and row look straight ahead
     settings.accel = accel;
     settings.aov = aov;
     settings.depth = depth;
@@ -150,11 +150,10 @@ Scene studio(const std::vector<Shape>& shapes) {
     return scene;
 }
 
-/// From outside, from among them, from far away and through a long lens.
-const std::vector<Shot> kAround{{{0.3, 0.8, 3.2}, {0, 0, 0}},
-                                {{0.1, 0.2, 0.3}, {-1, 0.1, 0.2}, 0, 90},
-                                {{300, 700, 1500}, {0, 0, 0}, 0, 1},
-                                {{0, 0, 4}, {0, 0, 0}}};
+/// From outside, from among them, and through long lenses from far away.
+const std::vector<Shot> kAround{
+    {{0.3, 0.8, 3.2}, {0, 0, 0}},          {{0.1, 0.2, 0.3}, {-1, 0.1, 0.2}, 0, 90}, {{0, 0, 4}, {0, 0, 0}},
+    {{300, 700, 1500}, {0, 0, 0}, 0, 0.1}, {{2e5, 3e5, 8e5}, {0, 0, 0}, 0, 2e-4},    {{0, 0, 8e5}, {0, 0, 0}, 0, 2e-4}};
 
 TEST(Hierarchies, LeaveCloudsOfSpheresAsTheyAre) {
     for (const int count : {300, 2000}) expectAlike(studio(inACube(count, 1)), kAround, 100);
@@ -235,8 +234,14 @@ std::vector<Shape> grid(int side, glm::dvec3 corner, double size, double heights
     return shapes;
 }
 
-/// Onto edges: the middle of the picture and its rows and columns run along those of the grid.
-const std::vector<Shot> kOverGrid{{{0, 3, 0.001}, {0, 0, 0}}, {{0, 0.5, 2.5}, {0, 0, 0}}, {{-1, 0.01, -1}, {1, 0, 1}}};
+/// The middle column looks along edges; the last two see the whole way to the horizon.
+const std::vector<Shot> kOverGrid{{{0, 3, 0.001}, {0, 0, 0}},
+                                  {{0, 3, 2.5}, {0, 0, 0}},
+                                  {{-0.25, 2, -2.5}, {-0.25, 0, 0}},
+                                  {{3, 2, 0.5}, {0, 0, 0.5}},
+                                  {{0.125, 2e5, 3e5}, {0.125, 0, 0}, 0, 2e-4},
+                                  {{0, 0.1, 2.5}, {0, 0, 0}},
+                                  {{-1, 0.01, -1}, {1, 0, 1}}};
 
 TEST(Hierarchies, LeaveGridsOfTrianglesAsTheyAre) {
     expectAlike(studio(grid(16, {-1, 0, -1}, 2, 0)), kOverGrid, 200);
