@@ -4,8 +4,8 @@
 // gridRay   the ray in the cells that the boxes of a hierarchy are told in
 // nextLeaf  the next leaf, from `node` on, whose box the ray meets nearer than `t`; answers its object's number in its kind,
 //           -1 at the end. Only this loop reads nodes: on wide SIMD objects are asked by all lanes together.
-// Error     no box is missed: the planes are moved outwards by what the ray's own rounding may be, 2^-20 of its origin's
-//           coordinates in cells (tests/unit/node_texels_test.cpp)
+// Error     no box is missed: the planes are moved outwards, along every axis by 2^-20 of the way to the boxes and across
+//           them, twice what rounding may be here and more than a shape's own (tests/unit/node_texels_test.cpp)
 // Source    threaded traversal: B. Smits, Efficiency Issues for Ray Tracing, 1998
 struct GridRay {
     vec3 beforeLow;  // the ray's origin, as planes that a box begins at see it
@@ -14,12 +14,14 @@ struct GridRay {
 };
 
 GridRay gridRay(int grid, Ray ray) {
+    vec4 low = sceneTexel(grid);
     vec3 cells = sceneTexel(grid + 1).xyz;
-    vec3 origin = (ray.origin - sceneTexel(grid).xyz) * cells;
+    vec3 away = ray.origin - low.xyz;
+    vec3 size = abs(away);
+    vec3 room = 9.5e-7 * (max(size.x, max(size.y, size.z)) + low.w) * cells;
+    vec3 origin = away * cells;
     vec3 direction = ray.direction * cells;
     vec3 steep = vec3(lessThan(abs(direction), vec3(1e-18)));
-    vec3 size = abs(origin);
-    float room = 9.5e-7 * (max(size.x, max(size.y, size.z)) + 4096.0);
     return GridRay(origin + room, origin - room, 1.0 / mix(direction, vec3(1e-18), steep));
 }
 

@@ -40,7 +40,7 @@ TEST(ShaderBuilder, BringsToriIntoProAndTorus) {
 TEST(ShaderBuilder, LeavesOutEveryShapeAndEffectThatASceneDoesNotUse) {
     const std::string text = source(sceneFrom(R"({"objects": [{"sphere": {"center": [0, 0, 0], "radius": 1}}]})"));
     for (const char* word : {"plane", "disc", "triangle", "torus", "fresnel", "stack", "glow", "image",
-                             "samplerCube sky", "normalMap >= 0", "occluded", "refract"})
+                             "samplerCube sky", "normalMap >= 0", "occluded", "refract", "nextLeaf"})
         EXPECT_FALSE(mentions(text, word)) << word;
 }
 
@@ -49,6 +49,29 @@ TEST(ShaderBuilder, BringsShadowCodeOnlyWithShadows) {
     off.shadows = ShadowModel::Off;
     EXPECT_TRUE(mentions(source(sceneNamed("lite")), "occluded"));
     EXPECT_FALSE(mentions(source(sceneNamed("lite"), off), "occluded"));
+}
+
+/// As many spheres side by side, and a plane.
+Scene row(int spheres) {
+    Scene scene = sceneFrom(R"({"objects": [{"plane": {"point": [0, 0, 0], "normal": [0, 1, 0]}},
+                                            {"sphere": {"center": [0, 0, 0], "radius": 0.1}}]})");
+    for (int i = 1; i < spheres; ++i) {
+        scene.objects.push_back(scene.objects.back());
+        scene.objects.back().shape.texels[0].x += 1;
+    }
+    return scene;
+}
+
+TEST(ShaderBuilder, WalksHierarchiesOnlyWhereTheyPayOrAreAskedFor) {
+    Settings none, always;
+    none.accel = Accel::None;
+    always.accel = Accel::Hierarchy;
+    EXPECT_FALSE(mentions(source(row(2)), "nextLeaf"));
+    EXPECT_TRUE(mentions(source(row(2), always), "nextLeaf"));
+    EXPECT_FALSE(mentions(source(row(1), always), "nextLeaf")) << "one has none";
+    EXPECT_TRUE(mentions(source(row(200)), "nextLeaf"));
+    EXPECT_FALSE(mentions(source(row(200), none), "nextLeaf"));
+    EXPECT_FALSE(mentions(source(row(200), always), "planeGrid")) << "what has no end is asked by all rays";
 }
 
 TEST(ShaderBuilder, GivesTheSameSourceWhenOnlyNumbersChange) {

@@ -84,7 +84,7 @@ TEST(Drawn, DoesNotChangeWithTime) {
     const Features features = featuresOf(scene, {}, 1024, true);
     const auto now = packScene(scene, features, 0), later = packScene(scene, features, 1.5707963);
     EXPECT_EQ(now.size(), later.size());
-    EXPECT_EQ(int(now.size()), sceneTexels(scene));
+    EXPECT_EQ(int(now.size()), sceneTexels(features));
     EXPECT_NEAR(now[1].y, 0, 0.01) << "sphere first, then the globe's anchor: its top, under the eye";
     EXPECT_NEAR(later[1].y, 1e5 - 51 - 51, 0.01) << "its lowest point, now over the eye";
 }

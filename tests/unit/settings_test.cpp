@@ -34,6 +34,7 @@ const std::map<std::string_view, std::vector<std::string>>& samples() {
         {"scale", {"0.1", "0.3333333333333333"}},
         {"adapt", {"off"}},
         {"vsync", {"off"}},
+        {"accel", {"none", "hierarchy"}},
         {"data", {"block", "texture"}},
     };
     return texts;

@@ -12,12 +12,13 @@ class Grid {
     explicit Grid(const Bounds& root) : low_(root.low) {
         const glm::vec3 side = root.high - root.low;
         // Flat boxes get cells, too, and none so small that cells a unit overflow.
-        const float least = std::max({1e-6f * std::max({side.x, side.y, side.z}), 1e-18f});
-        for (int axis = 0; axis < 3; ++axis) cellsPerUnit_[axis] = float(kGridCells - 1) / std::max(side[axis], least);
+        longest_ = std::max({side.x, side.y, side.z, 1e-18f});
+        for (int axis = 0; axis < 3; ++axis)
+            cellsPerUnit_[axis] = float(kGridCells - 1) / std::max(side[axis], 1e-6f * longest_);
     }
 
     void append(std::vector<glm::vec4>& texels) const {
-        texels.emplace_back(low_, 0.0f);
+        texels.emplace_back(low_, longest_);
         texels.emplace_back(cellsPerUnit_, 0.0f);
     }
 
@@ -31,6 +32,7 @@ class Grid {
 
   private:
     glm::vec3 low_, cellsPerUnit_{0};
+    float longest_;
 };
 
 glm::vec3 middleOf(const Bounds& box) { return 0.5f * box.low + 0.5f * box.high; }

@@ -1,0 +1,330 @@
+/// Hierarchies change how fast a picture comes, and nothing else: with them and without every float of it is the same.
+///
+/// Not so by luck: a walk loses no hit that a shape's own rounding may find (shaders/accel/hierarchy.glsl), and of
+/// objects at one distance both ways meet the one with the lowest number.
+
+#include "tests/oracle/fan.h"
+#include "tests/support/clouds.h"
+#include "tests/support/offscreen.h"
+#include "tests/support/scenes.h"
+#include "tracer/shader/features.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+namespace {
+
+using namespace test;
+
+/// Where a picture is taken from, and when.
+struct Shot {
+    glm::dvec3 eye, target;
+    double time = 0;
+    double fov = 40;
+};
+
+Settings sized(Accel accel, Aov aov, int depth) {
+    Settings settings;
+    settings.size = {161, 121}; // odd: the middle column and row look straight ahead
+    settings.accel = accel;
+    settings.aov = aov;
+    settings.depth = depth;
+    return settings;
+}
+
+void aim(Drawing& drawing, const Shot& shot) {
+    drawing.view.camera.eye = shot.eye;
+    drawing.view.camera.target = shot.target;
+    drawing.view.camera.fov = shot.fov;
+    drawing.view.time = shot.time;
+}
+
+/// The first that differs, as text; empty where there is none.
+std::string difference(const FloatImage& a, const FloatImage& b) {
+    EXPECT_EQ(a.pixels.size(), b.pixels.size());
+    std::size_t count = 0, first = 0;
+    for (std::size_t i = a.pixels.size(); i-- > 0;)
+        if (std::bit_cast<std::uint32_t>(a.pixels[i]) != std::bit_cast<std::uint32_t>(b.pixels[i])) ++count, first = i;
+    if (count == 0) return {};
+    return std::to_string(count) + " floats differ, first at " + std::to_string(first) + ": " +
+           std::to_string(a.pixels[first]) + " without, " + std::to_string(b.pixels[first]) + " with hierarchies";
+}
+
+bool hasHierarchy(const Scene& scene) {
+    for (const KindCount& kind : featuresOf(scene, sized(Accel::Hierarchy, Aov::Color, 1), 1024, true).shapes)
+        if (kind.hierarchy) return true;
+    return false;
+}
+
+/// Pictures of `aov` with and without hierarchies are the same. Says how many different values the pictures have.
+int alike(const Scene& scene, const std::vector<Shot>& shots, Aov aov, int depth) {
+    EXPECT_TRUE(hasHierarchy(scene));
+    offscreen();
+    Drawing plain(scene, sized(Accel::None, aov, depth)), fast(scene, sized(Accel::Hierarchy, aov, depth));
+    std::set<float> values;
+    for (std::size_t i = 0; i < shots.size(); ++i) {
+        aim(plain, shots[i]);
+        aim(fast, shots[i]);
+        const FloatImage wanted = plain.output();
+        EXPECT_EQ(difference(wanted, fast.output()), "")
+            << "output " << int(aov) << ", depth " << depth << ", shot " << i;
+        values.insert(wanted.pixels.begin(), wanted.pixels.end());
+    }
+    return int(values.size());
+}
+
+/// In all outputs; at least so many objects are to be seen.
+void expectAlike(const Scene& scene, const std::vector<Shot>& shots, int objects) {
+    EXPECT_GE(alike(scene, shots, Aov::Object, 1), objects);
+    EXPECT_GT(alike(scene, shots, Aov::Distance, 1), 100);
+    EXPECT_GT(alike(scene, shots, Aov::Color, 4), 100);
+}
+
+// ---- The scenes that come with the program
+
+struct Known {
+    const char* name;
+    std::vector<Shot> shots;
+    bool twice = false; ///< has one object of each kind, as good as no hierarchy: all things stand there once more
+};
+std::ostream& operator<<(std::ostream& out, const Known& known) { return out << known.name; }
+
+/// Every object once more, to the side.
+Scene twice(Scene scene) {
+    const std::vector<Object> objects = scene.objects;
+    for (Object object : objects) {
+        if (!object.motion) object.shape = translated(object.shape, {0.9, 0.01, -1.7});
+        scene.objects.push_back(object);
+    }
+    return scene;
+}
+
+class PicturesOf : public testing::TestWithParam<Known> {};
+
+TEST_P(PicturesOf, AreTheSameWithHierarchies) {
+    Scene scene = sceneNamed(GetParam().name);
+    if (GetParam().twice) scene = twice(scene);
+    expectAlike(scene, GetParam().shots, 4);
+    alike(scene, GetParam().shots, Aov::Color, 8);
+    alike(scene, GetParam().shots, Aov::Visibility, 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, PicturesOf,
+    testing::Values(
+        Known{"lite", {{{0, 0, 35}, {0, 0, 0}}, {{12, 4, 20}, {0, -1, 0}, 3.7}, {{0, 0, 3000}, {0, 0, 0}, 0, 1}}},
+        Known{"pro", {{{0, 0, 35}, {0, 0, 0}}, {{14, 2, 8}, {9, -1, 0}, 1.5}, {{3, -1.9, 2}, {9, -1, 0}, 88, 90}}},
+        Known{"shapes", {{{0.4, 2.5, 7.2}, {0, 0.6, 0}}, {{-3, 0.2, -2}, {0, 0.6, 0}, 2, 80}}, true},
+        Known{"torus", {{{0, 1.6, 5}, {0, -0.15, 0}}, {{0.3, 0.2, 400}, {0, 0, 0}, 0, 1}}, true}),
+    [](const auto& test) { return test.param.name; });
+
+// ---- Clouds
+
+constexpr const char* kStudio = R"({"background": {"color": [0.25, 0.35, 0.5]},
+    "lights": [{"point": {"position": [3, 4, 5]}}, {"point": {"position": [-4, 1.5, 2]}, "color": [0.3, 0.3, 0.4]}],
+    "materials": {
+        "dull": {"ambient": 0.1, "diffuse": [0.7, 0.45, 0.2], "specular": 0.5, "shininess": 40},
+        "mirror": {"ambient": 0, "diffuse": 0.1, "specular": 0.4, "shininess": 60,
+                   "conductor": {"n": [0.2, 0.4, 1.3], "k": [3.9, 2.4, 1.8]}},
+        "glass": {"ambient": 0, "diffuse": 0, "specular": 0.4, "shininess": 60, "dielectric": {"ior": 1.5}}},
+    "objects": [{"sphere": {"center": [0, 0, 0], "radius": 0.01}, "material": "dull"},
+                {"sphere": {"center": [0, 0, 0], "radius": 0.01}, "material": "mirror"},
+                {"sphere": {"center": [0, 0, 0], "radius": 0.01}, "material": "glass"}]})";
+
+/// These shapes in the studio, dull, mirroring and of glass in turn; every seventh throws no shadow.
+Scene studio(const std::vector<Shape>& shapes) {
+    Scene scene = sceneFrom(kStudio);
+    const std::vector<Object> first = scene.objects;
+    scene.objects.clear();
+    for (std::size_t i = 0; i < shapes.size(); ++i) {
+        scene.objects.push_back(first[i % first.size()]);
+        scene.objects.back().shape = shapes[i];
+        scene.objects.back().castsShadow = i % 7 != 3;
+    }
+    return scene;
+}
+
+/// From outside, from among them, and through long lenses from far away.
+const std::vector<Shot> kAround{
+    {{0.3, 0.8, 3.2}, {0, 0, 0}},          {{0.1, 0.2, 0.3}, {-1, 0.1, 0.2}, 0, 90}, {{0, 0, 4}, {0, 0, 0}},
+    {{300, 700, 1500}, {0, 0, 0}, 0, 0.1}, {{2e5, 3e5, 8e5}, {0, 0, 0}, 0, 2e-4},    {{0, 0, 8e5}, {0, 0, 0}, 0, 2e-4}};
+
+TEST(Hierarchies, LeaveCloudsOfSpheresAsTheyAre) {
+    for (const int count : {300, 2000}) expectAlike(studio(inACube(count, 1)), kAround, 100);
+    expectAlike(studio(clustered(1000)), kAround, 50);
+    expectAlike(studio(onTheGround(500)), kAround, 50);
+}
+
+glm::dvec4 unit(Dice& dice) { return glm::dvec4(glm::normalize(dice.point(1) + glm::dvec3(1e-6)), 0); }
+
+/// One of any bounded kind, of about that size.
+Shape anyShape(Dice& dice, ShapeKind kind, double size) {
+    const glm::dvec4 place(dice.point(1), 0), along = place + size * unit(dice);
+    const glm::dvec4 radius(0, 0, 0, size * dice.number(0.2, 0.7));
+    switch (kind) {
+    case ShapeKind::Disc: return {kind, {place + radius, unit(dice), {}}};
+    case ShapeKind::Triangle: return {kind, {place, along, place + size * unit(dice)}};
+    case ShapeKind::Torus: return {kind, {place + radius, unit(dice) + 0.3 * radius, {}}};
+    case ShapeKind::Box: return {kind, {place, glm::dvec4(size * glm::abs(dice.point(0.5)) + 0.01 * size, 0), {}}};
+    case ShapeKind::Cylinder:
+    case ShapeKind::Capsule:
+    case ShapeKind::Cone: return {kind, {place + radius, along, {}}};
+    default: return sphere(glm::dvec3(place), radius.w);
+    }
+}
+
+class CloudOf : public testing::TestWithParam<ShapeKind> {};
+
+TEST_P(CloudOf, IsTheSameWithHierarchies) {
+    Dice dice(20);
+    std::vector<Shape> shapes;
+    for (int i = 0; i < 120; ++i) shapes.push_back(anyShape(dice, GetParam(), 0.3));
+    expectAlike(studio(shapes), kAround, 50);
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, CloudOf,
+                         testing::Values(ShapeKind::Disc, ShapeKind::Triangle, ShapeKind::Torus, ShapeKind::Box,
+                                         ShapeKind::Cylinder, ShapeKind::Capsule, ShapeKind::Cone),
+                         [](const auto& test) { return std::string(shapeRow(test.param).type); });
+
+// Several kinds that each have a hierarchy, and one of each kind that has none beside them.
+TEST(Hierarchies, LeaveAMixedCloudAsItIs) {
+    Dice dice(21);
+    std::vector<Shape> shapes;
+    for (int i = 0; i < 140; ++i) {
+        const ShapeKind kinds[]{ShapeKind::Sphere, ShapeKind::Disc,    ShapeKind::Triangle, ShapeKind::Torus,
+                                ShapeKind::Box,    ShapeKind::Capsule, ShapeKind::Cone};
+        shapes.push_back(anyShape(dice, kinds[i % 7], 0.3));
+    }
+    shapes.push_back(anyShape(dice, ShapeKind::Cylinder, 0.3));
+    shapes.push_back({ShapeKind::Plane, {glm::dvec4(0, -1.2, 0, 0), glm::dvec4(0, 1, 0, 0), {}}});
+    expectAlike(studio(shapes), kAround, 80);
+}
+
+// ---- Edges that triangles share, where rays meet both at one distance
+
+TEST(Hierarchies, LeaveAFanOfTrianglesAsItIs) {
+    const oracle::Fan fan({0, 0, 0});
+    const auto middle = glm::dvec3(fan.triangles()[0].texels[0]);
+    const Scene scene = studio(fan.triangles());
+    expectAlike(scene, {{{0.3, 0.8, 3.2}, {0, 0, 0}}, {{0, 0, 40}, middle, 0, 1}, {{0.01, 3, 0.02}, {0, 0, 0}}}, 6);
+}
+
+/// A level grid of triangles, two a square; `heights` above y = 0 at most.
+std::vector<Shape> grid(int side, glm::dvec3 corner, double size, double heights) {
+    Dice dice(22);
+    std::vector<glm::dvec4> places;
+    for (int z = 0; z <= side; ++z)
+        for (int x = 0; x <= side; ++x)
+            places.emplace_back(
+                corner + size * glm::dvec3(x, 0, z) / double(side) + glm::dvec3(0, dice.number(0, heights), 0), 0);
+    const auto at = [&](int x, int z) { return places[std::size_t(z * (side + 1) + x)]; };
+    std::vector<Shape> shapes;
+    for (int z = 0; z < side; ++z)
+        for (int x = 0; x < side; ++x) {
+            shapes.push_back({ShapeKind::Triangle, {at(x, z), at(x, z + 1), at(x + 1, z)}});
+            shapes.push_back({ShapeKind::Triangle, {at(x + 1, z), at(x, z + 1), at(x + 1, z + 1)}});
+        }
+    return shapes;
+}
+
+/// The middle column looks along edges; the last two see the whole way to the horizon.
+const std::vector<Shot> kOverGrid{{{0, 3, 0.001}, {0, 0, 0}},
+                                  {{0, 3, 2.5}, {0, 0, 0}},
+                                  {{-0.25, 2, -2.5}, {-0.25, 0, 0}},
+                                  {{3, 2, 0.5}, {0, 0, 0.5}},
+                                  {{0.125, 2e5, 3e5}, {0.125, 0, 0}, 0, 2e-4},
+                                  {{0, 0.1, 2.5}, {0, 0, 0}},
+                                  {{-1, 0.01, -1}, {1, 0, 1}}};
+
+TEST(Hierarchies, LeaveGridsOfTrianglesAsTheyAre) {
+    expectAlike(studio(grid(16, {-1, 0, -1}, 2, 0)), kOverGrid, 200);
+    expectAlike(studio(grid(16, {-1, 0, -1}, 2, 0.2)), kOverGrid, 200);
+}
+
+// Flat and large and to one side of the origin, seen from just above it: what rounding makes of a hit is most there.
+TEST(Hierarchies, LeaveALargeGridSeenAlongItselfAsItIs) {
+    std::vector<Shot> shots{{{900, 30, 1200}, {700, 0, 0}, 0, 90}};
+    for (const double height : {1e-4, 1e-3, 1e-2, 0.1, 1.0, 10.0}) {
+        shots.push_back({{-1, height, -1}, {1000, 0, 900}, 0, 90});
+        shots.push_back({{-1, height, -1}, {1000, 0, 900}, 0, 0.5 * height}); // the way to the horizon fills it
+        shots.push_back({{1000, height, 1000.3}, {40, 0, 35}, 0, 0.5 * height});
+    }
+    expectAlike(studio(grid(24, {0, 0, 0}, 2000, 0)), shots, 100);
+}
+
+// ---- The same place twice
+
+// Of objects at one distance the first is met, with hierarchies and without.
+TEST(Hierarchies, MeetTheFirstOfTwoAtOnePlace) {
+    const Shape ball = sphere({-1, 0, 0}, 0.5), other = sphere({-1, 0.1, 0}, 0.3);
+    const Shape triangle{ShapeKind::Triangle, {glm::dvec4(0.2, -0.5, 0, 0), {1, -0.5, 0, 0}, {0.6, 0.6, 0, 0}}};
+    const Shape disc{ShapeKind::Disc, {glm::dvec4(0, 0, -1, 1.5), {0, 0, 1, 0}, {}}};
+    const Shape plane{ShapeKind::Plane, {glm::dvec4(0, 0, -1, 0), {0, 0, 1, 0}, {}}};
+    const std::vector<Shape> shapes{ball, other,    ball, triangle, disc,  plane, triangle,
+                                    ball, triangle, disc, disc,     other, ball,  other};
+    Scene scene = studio(shapes);
+    for (Object& object : scene.objects) object.castsShadow = true; // or those that do have the lower numbers
+    const std::vector<Shot> shots{{{0.1, 0.2, 6}, {-0.1, 0, 0}}, {{4, 3, 2}, {0, 0, 0}}, {{-6, 0, 0.5}, {0, 0, 0}}};
+    expectAlike(scene, shots, 4);
+
+    Drawing drawing(scene, sized(Accel::Hierarchy, Aov::Object, 1));
+    std::set<int> seen;
+    for (const Shot& shot : shots) {
+        aim(drawing, shot);
+        const FloatImage image = drawing.output();
+        for (const float number : image.pixels) seen.insert(int(number));
+    }
+    for (const int first : {0, 3, 4, 5}) seen.erase(first); // ball, triangle, disc, plane
+    EXPECT_EQ(seen, (std::set<int>{-1})) << "no other of each";
+}
+
+TEST(Hierarchies, LeaveACloudThatIsThereThriceAsItIs) {
+    std::vector<Shape> shapes;
+    for (int i = 0; i < 3; ++i)
+        for (const Shape& ball : inACube(100, 1)) shapes.push_back(ball);
+    expectAlike(studio(shapes), kAround, 30);
+}
+
+// ---- Elsewhere and at other times
+
+TEST(Hierarchies, LeaveScenesFarFromTheOriginAsTheyAre) {
+    const Scene here = studio(inACube(300, 1));
+    const glm::dvec3 by(123456.7, -98765.4, 55555.5);
+    std::vector<Shot> shots = kAround;
+    for (Shot& shot : shots) shot.eye += by, shot.target += by;
+    const Scene there = moved(here, by);
+    ASSERT_NE(originOf(there), glm::dvec3(0));
+    expectAlike(there, shots, 100);
+
+    // One sphere at home keeps the shader's origin there: the cloud's float32 is coarse.
+    Scene torn = moved(here, 0.01 * by);
+    torn.objects[0].shape = sphere({0, 0, 0}, 1);
+    torn.camera.eye = {0, 0, 5};
+    ASSERT_EQ(originOf(torn), glm::dvec3(0));
+    shots = kAround;
+    for (Shot& shot : shots) shot.eye += 0.01 * by, shot.target += 0.01 * by;
+    shots.push_back({{0, 1, 5}, 0.01 * by, 0, 0.1});
+    expectAlike(torn, shots, 100);
+}
+
+// One renderer, many times: the tree is refitted, and built anew where that has spoilt it.
+TEST(Hierarchies, LeaveWhatMovesAsItIsAtAnyTime) {
+    Scene scene = studio(inACube(300, 1));
+    Dice dice(23);
+    for (Object& object : scene.objects)
+        object.motion = Orbit{dice.point(0.5), dice.point(0.5), dice.number(-3, 3), -1};
+    std::vector<Shot> shots;
+    for (const double time : {0.0, 0.01, 0.05, 0.5, 2.0, 2.1, 50.0, 0.0, -7.0})
+        shots.push_back({kAround[shots.size() % 2].eye, kAround[shots.size() % 2].target, time});
+    expectAlike(scene, shots, 100);
+}
+
+} // namespace
+} // namespace gnomon
