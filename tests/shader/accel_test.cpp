@@ -1,4 +1,5 @@
-/// Hierarchies change how fast a picture comes, and nothing else: with them and without every float of it is the same.
+/// Searches change how fast a picture comes, and nothing else: with hierarchies, sieves and blocks and without them
+/// every float of it is the same.
 ///
 /// Not so by luck: a walk loses no hit that a shape's own rounding may find (shaders/accel/hierarchy.glsl), and of
 /// objects at one distance both ways meet the one with the lowest number.
@@ -13,6 +14,7 @@
 
 #include <bit>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -53,27 +55,31 @@ std::string difference(const FloatImage& a, const FloatImage& b) {
         if (std::bit_cast<std::uint32_t>(a.pixels[i]) != std::bit_cast<std::uint32_t>(b.pixels[i])) ++count, first = i;
     if (count == 0) return {};
     return std::to_string(count) + " floats differ, first at " + std::to_string(first) + ": " +
-           std::to_string(a.pixels[first]) + " without, " + std::to_string(b.pixels[first]) + " with hierarchies";
+           std::to_string(a.pixels[first]) + " without, " + std::to_string(b.pixels[first]) + " with a search";
 }
 
-bool hasHierarchy(const Scene& scene) {
-    for (const KindCount& kind : featuresOf(scene, sized(Accel::Hierarchy, Aov::Color, 1), 1024, true).shapes)
-        if (kind.hierarchy) return true;
+bool searches(const Scene& scene, Accel accel) {
+    for (const KindCount& kind : featuresOf(scene, sized(accel, Aov::Color, 1), 1024, true).shapes)
+        if (kind.search != Search::Loop || kind.blockMembers() > 0) return true;
     return false;
 }
 
-/// Pictures of `aov` with and without hierarchies are the same. Says how many different values the pictures have.
+/// Pictures of `aov` with and without a search are the same. Says how many different values the pictures have.
 int alike(const Scene& scene, const std::vector<Shot>& shots, Aov aov, int depth) {
-    EXPECT_TRUE(hasHierarchy(scene));
+    EXPECT_TRUE(searches(scene, Accel::Hierarchy));
+    EXPECT_FALSE(searches(scene, Accel::None));
     offscreen();
-    Drawing plain(scene, sized(Accel::None, aov, depth)), fast(scene, sized(Accel::Hierarchy, aov, depth));
+    Drawing plain(scene, sized(Accel::None, aov, depth)), boxes(scene, sized(Accel::Hierarchy, aov, depth)),
+        chosen(scene, sized(Accel::Auto, aov, depth));
     std::set<float> values;
     for (std::size_t i = 0; i < shots.size(); ++i) {
         aim(plain, shots[i]);
-        aim(fast, shots[i]);
         const FloatImage wanted = plain.output();
-        EXPECT_EQ(difference(wanted, fast.output()), "")
-            << "output " << int(aov) << ", depth " << depth << ", shot " << i;
+        for (Drawing* fast : {&boxes, &chosen}) {
+            aim(*fast, shots[i]);
+            EXPECT_EQ(difference(wanted, fast->output()), "") << (fast == &boxes ? "hierarchy" : "auto") << ", output "
+                                                              << int(aov) << ", depth " << depth << ", shot " << i;
+        }
         values.insert(wanted.pixels.begin(), wanted.pixels.end());
     }
     return int(values.size());
@@ -107,7 +113,7 @@ Scene twice(Scene scene) {
 
 class PicturesOf : public testing::TestWithParam<Known> {};
 
-TEST_P(PicturesOf, AreTheSameWithHierarchies) {
+TEST_P(PicturesOf, AreTheSameWithASearch) {
     Scene scene = sceneNamed(GetParam().name);
     if (GetParam().twice) scene = twice(scene);
     expectAlike(scene, GetParam().shots, 4);
@@ -123,6 +129,61 @@ INSTANTIATE_TEST_SUITE_P(
         Known{"shapes", {{{0.4, 2.5, 7.2}, {0, 0.6, 0}}, {{-3, 0.2, -2}, {0, 0.6, 0}, 2, 80}}, true},
         Known{"torus", {{{0, 1.6, 5}, {0, -0.15, 0}}, {{0.3, 0.2, 400}, {0, 0, 0}, 0, 1}}, true}),
     [](const auto& test) { return test.param.name; });
+
+// ---- Blocks
+
+/// A lattice of equal objects about the origin, a step of 1 apart, each written by `objectAt`, and a few loose ones.
+Scene rack(glm::ivec3 cells, const std::function<std::string(glm::dvec3)>& objectAt) {
+    std::string objects = R"({"sphere": {"center": [0.3, 3, 0.2], "radius": 0.4}, "material": "glass"},
+                             {"sphere": {"center": [-3, 0.5, 3], "radius": 0.6}, "material": "mirror"},
+                             {"plane": {"point": [0, -4, 0], "normal": [0, 1, 0]}, "material": "dull"})";
+    for (int z = 0; z < cells.z; ++z)
+        for (int y = 0; y < cells.y; ++y)
+            for (int x = 0; x < cells.x; ++x)
+                objects += ", " + objectAt(glm::dvec3(x, y, z) - 0.5 * glm::dvec3(cells - 1));
+    return sceneFrom(R"({"lights": [{"point": {"position": [3, 6, 5]}}, {"point": {"position": [0.5, 0.5, 0.5]}}],
+        "materials": {"dull": {"diffuse": [0.7, 0.45, 0.2], "specular": 0.5},
+                      "mirror": {"diffuse": 0.1, "conductor": {"n": [0.2, 0.4, 1.3], "k": [3.9, 2.4, 1.8]}},
+                      "glass": {"specular": 0.4, "dielectric": {"ior": 1.5}}}, "objects": [)" +
+                     objects + "]}");
+}
+
+std::string textOf(glm::dvec3 v) {
+    return "[" + std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z) + "]";
+}
+
+/// From outside, along the lattice, from within, from far away, and grazing its faces.
+std::vector<Shot> shotsOfRack() {
+    return {{{6, 4, 7}, {0, 0, 0}},
+            {{0, 0, 9}, {0, 0, 0}},
+            {{0.5, 0.5, 0.5}, {3, 2, 1}, 0, 90},
+            {{400, 300, 500}, {0, 0, 0}, 0, 1},
+            {{9, 0.499, 0.2}, {0, 0.499, 0}},
+            {{-5, 2.001, 2.2}, {5, 2, -1.9}, 0, 20}};
+}
+
+int blockOf(const Scene& scene) {
+    int members = 0;
+    for (const KindCount& kind : featuresOf(scene, {}, 1024, true).shapes) members += kind.blockMembers();
+    return members;
+}
+
+TEST(Rack, OfSpheresLooksTheSameWalkedCellByCell) {
+    const Scene scene = rack({6, 4, 5}, [](glm::dvec3 at) {
+        return R"({"sphere": {"center": )" + textOf(at) + R"(, "radius": 0.47}, "material": "mirror"})";
+    });
+    EXPECT_EQ(blockOf(scene), 120);
+    expectAlike(scene, shotsOfRack(), 60);
+    expectAlike(moved(scene, {1000.5, -2000.25, 4000}), {{{1006.5, -1996.25, 4007}, {1000.5, -2000.25, 4000}}}, 30);
+}
+
+TEST(Rack, OfBoxesInOneLayerLooksTheSameWalkedCellByCell) {
+    const Scene scene = rack({9, 1, 9}, [](glm::dvec3 at) {
+        return R"({"box": {"center": )" + textOf(at) + R"(, "half_size": [0.48, 0.1, 0.3]}, "material": "glass"})";
+    });
+    EXPECT_EQ(blockOf(scene), 81);
+    expectAlike(scene, shotsOfRack(), 40);
+}
 
 // ---- Clouds
 

@@ -51,13 +51,13 @@ TEST(ShaderBuilder, BringsShadowCodeOnlyWithShadows) {
     EXPECT_FALSE(mentions(source(sceneNamed("lite"), off), "occluded"));
 }
 
-/// As many spheres side by side, and a plane.
-Scene row(int spheres) {
+/// As many spheres side by side, each `wider` farther from the last than that from its own, and a plane.
+Scene row(int spheres, double wider = 0.01) {
     Scene scene = sceneFrom(R"({"objects": [{"plane": {"point": [0, 0, 0], "normal": [0, 1, 0]}},
                                             {"sphere": {"center": [0, 0, 0], "radius": 0.1}}]})");
     for (int i = 1; i < spheres; ++i) {
         scene.objects.push_back(scene.objects.back());
-        scene.objects.back().shape.texels[0].x += 1;
+        scene.objects.back().shape.texels[0].x += 1 + i * wider;
     }
     return scene;
 }
@@ -72,6 +72,25 @@ TEST(ShaderBuilder, WalksHierarchiesOnlyWhereTheyPayOrAreAskedFor) {
     EXPECT_TRUE(mentions(source(row(200)), "nextLeaf"));
     EXPECT_FALSE(mentions(source(row(200), none), "nextLeaf"));
     EXPECT_FALSE(mentions(source(row(200), always), "planeGrid")) << "what has no end is asked by all rays";
+}
+
+TEST(ShaderBuilder, SievesAFewObjects) {
+    EXPECT_TRUE(mentions(source(row(6)), "passesBy(ray, ballSphere(loadSphere(kSphereBase + (kSphereLoose + 5)"));
+    EXPECT_FALSE(mentions(source(row(6)), "(kSphereLoose + 6)"));
+    EXPECT_FALSE(mentions(source(row(1)), "kSphereLoose")) << "one is asked at once";
+    EXPECT_FALSE(mentions(source(row(200)), "ballSphere(loadSphere(kSphereBase + (kSphereLoose"));
+}
+
+TEST(ShaderBuilder, WalksRegularBlocksCellByCell) {
+    Settings none, always;
+    none.accel = Accel::None;
+    always.accel = Accel::Hierarchy;
+    EXPECT_TRUE(mentions(source(row(200, 0)), "kSphereBlockX = 200"));
+    EXPECT_FALSE(mentions(source(row(200, 0)), "nextLeaf"));
+    EXPECT_FALSE(mentions(source(row(200)), "BlockX")) << "uneven";
+    EXPECT_FALSE(mentions(source(row(200, 0), none), "BlockX"));
+    EXPECT_FALSE(mentions(source(row(200, 0), always), "BlockX"));
+    EXPECT_TRUE(mentions(source(sceneNamed("pro")), "kSphereBlockZ = 10"));
 }
 
 TEST(ShaderBuilder, GivesTheSameSourceWhenOnlyNumbersChange) {

@@ -131,7 +131,7 @@ TEST_P(SceneData, HoldsTheHierarchiesOfItsKinds) {
         const std::vector<glm::vec4> now(span.begin(), span.end());
         ASSERT_EQ(int(now.size()), at["kSceneTexels"]);
         for (const KindCount& kind : features.shapes) {
-            if (!kind.hierarchy) continue;
+            if (kind.search != Search::Hierarchy) continue;
             Hierarchy& tree = trees[kind.kind];
             update(tree, boundsInOrder(shapesAt(scene, time), now, at, kind));
             const auto wanted = test::texelsOf(tree, scene.camera.eye);
@@ -162,7 +162,7 @@ TEST(SceneDataOfLite, GivesGoldTheReflectanceOfTheSource) {
     for (const Object& object : scene.objects)
         if (object.name == "gold") gold = object.material;
     ASSERT_GE(gold, 0);
-    const glm::vec4 f0 = texels[constants(features)["kMaterialBase"] + gold * kMaterialTexels + 4];
+    const glm::vec4 f0 = texels[constants(features)["kMaterialBase"] + gold * kMaterialTexels + 3];
     EXPECT_NEAR(f0.r, 0.938, 5e-4);
     EXPECT_NEAR(f0.g, 0.846, 5e-4);
     EXPECT_NEAR(f0.b, 0.391, 5e-4);
@@ -177,7 +177,7 @@ TEST(SceneDataOfLite, ReducesTextureMotionToOnePeriodAlsoAfterADay) {
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
         const auto& use = scene.materials[m].texture;
         if (!use) continue;
-        const glm::vec4 placement = texels[first + int(m) * kMaterialTexels + 5];
+        const glm::vec4 placement = texels[first + int(m) * kMaterialTexels + 4];
         const double exact = use->scroll.x * day - std::floor(use->scroll.x * day);
         EXPECT_NEAR(placement.z, exact, 1e-6) << scene.materials[m].name;
     }
@@ -303,7 +303,7 @@ Scene allMoving(int count) {
 TEST(ScenePacker, Packs10000MovingSpheresIn4Milliseconds) {
     const Scene scene = allMoving(10000);
     const Features features = featuresOf(scene, {}, 1024, true);
-    ASSERT_TRUE(features.shapes[0].hierarchy);
+    ASSERT_EQ(features.shapes[0].search, Search::Hierarchy);
     ScenePacker packer(scene);
     double time = 0;
     const double packing = medianTime(101, [&] { packer.pack(features, time += 0.01, scene.camera.eye); });

@@ -29,7 +29,9 @@ void separateBlock(const Scene& scene, const std::vector<Shape>& shapes, KindLay
 
 std::vector<KindLayout> layoutOf(const Scene& scene) {
     const std::vector<ShapeKind> kinds = drawnKinds(scene);
-    const std::vector<Shape> shapes = shapesAt(scene, 0);
+    const glm::dvec3 origin = originOf(scene); // what is far from the world's origin makes blocks as well
+    std::vector<Shape> shapes = shapesAt(scene, 0);
+    for (Shape& shape : shapes) shape = translated(shape, -origin);
     std::vector<KindLayout> layouts(kShapeKinds);
     for (const bool casters : {true, false})
         for (std::size_t i = 0; i < kinds.size(); ++i) {
