@@ -6,6 +6,7 @@
 //        object that the ray starts on always comes.
 // sieve  a bit for each loose object whose ball the ray does not pass by. The balls are read in a fixed order, all lanes of
 //        a SIMD together: that costs less than the boxes that might spare some of them
+#include "ray/bits.glsl"
 #if HIERARCHIES
 #include "accel/hierarchy.glsl"
 #endif
@@ -30,7 +31,7 @@ struct Search$Shape {
 Search$Shape start$Shape(Ray ray) {
     Search$Shape search;
 #if $SHAPE_BLOCK
-    search.block = enterBlock(k$ShapeBlock, vec3(k$ShapeBlockX, k$ShapeBlockY, k$ShapeBlockZ), ray);
+    search.block = kBeforeBlock;
 #endif
 #if $SHAPE_SEARCH == HIERARCHY
     search.boxes = gridRay(k$ShapeGrid, ray);
@@ -51,9 +52,9 @@ int next$Shape(inout Search$Shape search, Ray ray, float t) {
     if (leaf >= 0) return k$ShapeLoose + leaf;
 #else
     if (search.sieve != 0u) {
-        uint lowest = search.sieve & (~search.sieve + 1u);
-        search.sieve ^= lowest;
-        return k$ShapeLoose + int(floatBitsToUint(float(lowest)) >> 23) - 127; // its exponent
+        int index = lowestBit(search.sieve);
+        search.sieve &= search.sieve - 1u;
+        return k$ShapeLoose + index;
     }
 #endif
 #if $SHAPE_BLOCK

@@ -6,6 +6,8 @@
 // tint       the texture's colour at the point: it colours its own surface only
 // share      what of this surface reaches the picture: a light that adds less than the threshold needs no shadow ray
 #if LIGHTS
+#include "ray/bits.glsl"
+
 // What one light adds where nothing is in its way.
 vec3 reflectedLight(Light light, Material material, vec3 albedo, vec3 point, vec3 facing, vec3 normal, vec3 toEye) {
     vec3 toLight = light.position - point;
@@ -24,22 +26,21 @@ vec3 shade(Material material, Surface surface, int self, vec3 facing, vec3 norma
     vec3 color = material.own * tint;
 #if LIGHTS
     vec3 albedo = material.diffuse * tint;
-    bool lit = any(greaterThan(material.diffuse + material.specular, vec3(0.0)));
-    int next = lit ? 0 : kLightCount;
+    vec3 added[kLightCount];
+    uint counting = 0u; // the lights that do, a bit each
     for (int i = 0; i < kLightCount; ++i) {
-        // First to the next light that counts, then its shadow ray: on wide SIMD neighbours wait for each other's rays, so
-        // each round has to be one that somebody needs.
-        Light light = Light(vec3(0.0), vec3(0.0));
-        vec3 added = vec3(0.0);
-        for (; next < kLightCount; ++next) {
-            light = loadLight(next);
-            added = reflectedLight(light, material, albedo, surface.point, facing, normal, toEye);
-            vec3 seen = added * share;
-            if (max(seen.r, max(seen.g, seen.b)) >= max(frame.options.x, 1e-30)) break;
-        }
-        if (next >= kLightCount) break;
-        ++next;
-        color += added * lightFraction(surface, self, light);
+        added[i] = reflectedLight(loadLight(i), material, albedo, surface.point, facing, normal, toEye);
+        vec3 seen = added[i] * share;
+        if (max(seen.r, max(seen.g, seen.b)) >= max(frame.options.x, 1e-30)) counting |= 1u << uint(i);
+    }
+    // What the material is holds no registers any more while shadow rays run. On wide SIMD neighbours wait for each other's
+    // rays, so each round takes the next light that counts, whichever that is.
+    while (counting != 0u) {
+        int next = lowestBit(counting);
+        counting &= counting - 1u;
+        float fraction = lightFraction(surface, self, loadLight(next));
+        for (int i = 0; i < kLightCount; ++i)
+            if (i == next) color += added[i] * fraction;
     }
 #endif
     return color;
