@@ -2,6 +2,7 @@
 #include "native/sphere_scenes.h"
 
 #include "tracer/accel/layout.h"
+#include "tracer/render/camera.h"
 
 #include <gtest/gtest.h>
 
@@ -99,6 +100,23 @@ TEST(SphereScenes, MoveUnlessRegular) {
             EXPECT_EQ(later[i] == now[i], arrangement == Arrangement::Regular);
         }
     }
+}
+
+// The picture shows the whole cube, and not much else: otherwise the sky's pixels would hide how the others' cost
+// grows.
+TEST(SphereScenes, FillThePicture) {
+    const CameraFrame camera = frameOf(sphereScene(Arrangement::Random, 8).camera);
+    double highest = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec3 side(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+        const glm::dvec3 ray = 0.5 * kSphereCube * side - camera.eye;
+        const double across = glm::dot(ray, camera.right), up = glm::dot(ray, camera.up),
+                     ahead = glm::dot(ray, camera.forward) * camera.halfHeight;
+        EXPECT_LT(std::abs(across / ahead), 4.0 / 3);
+        highest = std::max(highest, std::abs(up / ahead));
+    }
+    EXPECT_LT(highest, 1);
+    EXPECT_GT(highest, 0.9);
 }
 
 } // namespace
