@@ -6,10 +6,10 @@ namespace gnomon {
 
 namespace {
 
-std::string helpOf(const SettingRow& row) {
-    const std::string standard = textOf(row, Settings{});
+std::string helpOf(const SettingRow& row, const Settings& standard) {
+    const std::string value = textOf(row, standard);
     std::string text(row.help);
-    if (!standard.empty()) text += " [" + standard + "]";
+    if (!value.empty()) text += " [" + value + "]";
     if (!row.next.empty()) text += " key " + std::string(row.next);
     if (!row.previous.empty()) text += ", " + std::string(row.previous);
     return text;
@@ -41,18 +41,19 @@ void addScene(CLI::App& command, std::string& scene, bool required) {
 }
 
 void addSettings(CLI::App& command, Drawing& drawing) {
-    for (const auto& row : settingsTable()) {
-        const std::string key(row.key);
-        const auto keep = [&drawing, key](const std::string& text) { drawing.values.emplace_back(key, text); };
-        command.add_option_function<std::string>("--" + key, keep, helpOf(row))
-            ->type_name(valuesOf(row))
-            ->group(std::string(row.group))
-            ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
-    }
+    for (const auto& row : settingsTable()) addSetting(command, drawing, row);
 }
 
-std::optional<Settings> readSettings(const Drawing& drawing, Problems& problems) {
-    Settings settings;
+void addSetting(CLI::App& command, Drawing& drawing, const SettingRow& row, const Settings& standard) {
+    const std::string key(row.key);
+    const auto keep = [&drawing, key](const std::string& text) { drawing.values.emplace_back(key, text); };
+    command.add_option_function<std::string>("--" + key, keep, helpOf(row, standard))
+        ->type_name(valuesOf(row))
+        ->group(std::string(row.group))
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+}
+
+std::optional<Settings> readSettings(const Drawing& drawing, Problems& problems, Settings settings) {
     bool right = true;
     for (const auto& [key, text] : drawing.values)
         right = setFromText(settings, key, text, "command line", problems) && right;

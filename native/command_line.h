@@ -35,9 +35,11 @@ struct Drawing {
 };
 void addScene(CLI::App& command, std::string& scene, bool required);
 void addSettings(CLI::App& command, Drawing&);
+/// One of them; `standard` are the values where it is not given.
+void addSetting(CLI::App& command, Drawing&, const SettingRow&, const Settings& standard = {});
 
-/// The settings of the command line over the defaults. Every wrong one is a problem.
-std::optional<Settings> readSettings(const Drawing&, Problems&);
+/// The settings of the command line over the standard ones. Every wrong one is a problem.
+std::optional<Settings> readSettings(const Drawing&, Problems&, Settings standard = {});
 
 /// The pose a picture is taken from, and whether settings and scene fit together.
 std::optional<CameraPose> poseOf(const Scene&, const Settings&, Problems&);

@@ -109,6 +109,50 @@ TEST_F(Cli, LabRefusesWhatItDoesNotKnow) {
     expectRefused("lab intersect --context=metal", 2, "osmesa|egl|window");
 }
 
+/// How many rows of a table have no value in the column called `key`.
+int emptyIn(const nlohmann::json& table, const std::string& key) {
+    const auto& columns = table["columns"];
+    const auto column = std::find_if(columns.begin(), columns.end(), [&](const auto& c) { return c["key"] == key; });
+    EXPECT_NE(column, columns.end()) << key;
+    const std::size_t at = std::size_t(column - columns.begin());
+    return int(std::count_if(table["rows"].begin(), table["rows"].end(),
+                             [&](const auto& row) { return row.at(at).is_null(); }));
+}
+
+TEST_F(Cli, LabTraceMeasuresEveryWayAndWritesItsNumbers) {
+    const Answer run = gnomon("lab trace --scenes=lite --spheres=10,100 --size=64x48 --repeats=3 --json=all.json "
+                              "--html=all.html");
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_NE(run.out.find("random spheres, 10 to 100: "), std::string::npos) << run.out;
+    const auto results = nlohmann::json::parse(readText(folder_ / "all.json"));
+    EXPECT_EQ(results["command"], "gnomon lab trace --scenes=lite --spheres=10,100 --size=64x48 --depth=8 "
+                                  "--shadows=hard --repeats=3 --context=osmesa");
+    const auto &scenes = results["tables"][0], &growth = results["tables"][1], &choice = results["tables"][2];
+    EXPECT_EQ(scenes["rows"].size(), 7U) << "the source's way, and three with numbers in a block and in a texture";
+    EXPECT_EQ(growth["rows"].size(), 18U) << "three arrangements of two numbers in three ways";
+    EXPECT_EQ(choice["rows"].size(), 8U) << "lite from a block and from a texture, and six of spheres";
+    for (const char* counter : {"boxes", "objects", "shadow_rays"}) {
+        EXPECT_EQ(emptyIn(scenes, counter), 1) << "only the source's way does not count";
+        EXPECT_EQ(emptyIn(growth, counter), 0);
+    }
+    for (const char* time : {"frame", "ratio", "speed_up", "compile"}) EXPECT_EQ(emptyIn(scenes, time), 0);
+    for (const char* time : {"frame", "growth", "pack", "load"}) EXPECT_EQ(emptyIn(growth, time), 0);
+    EXPECT_NE(readText(folder_ / "all.html").find("gnomon-results"), std::string::npos);
+}
+
+TEST_F(Cli, LabTraceRefusesWhatItDoesNotKnow) {
+    expectRefused("lab trce", 2, "did you mean 'trace'?");
+    expectRefused("lab trace --scens=lite", 2, "did you mean --scenes?");
+    expectRefused("lab trace --scenes=lit", 1, "there is no scene 'lit'; did you mean 'lite'?");
+    expectRefused("lab trace --spheres=7", 2, "spheres: 7 is out of range; use 8");
+    expectRefused("lab trace --spheres=ten", 2, "spheres");
+    expectRefused("lab trace --repeats=0", 2, "use 1");
+    expectRefused("lab trace --depth=9", 2, "depth: 9 is out of range; use 1…8");
+    expectRefused("lab trace --size=0x600", 2, "size: 0 is out of range");
+    expectRefused("lab trace --shadows=haard", 2, "did you mean 'hard'?");
+    expectRefused("lab trace --context=metal", 2, "osmesa|egl|window");
+}
+
 TEST_F(Cli, LabSaysWhereItCannotWrite) {
     const Answer run = gnomon("lab intersect --shapes=plane --distances=3 --rays=100 --json=none/all.json");
     EXPECT_EQ(run.code, 1);

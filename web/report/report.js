@@ -49,15 +49,18 @@ function tableOf(table) {
   return element('section', {}, element('h2', { textContent: table.title }), element('div', { className: 'table' }, grid));
 }
 
-/** One line for every series and y column; the first column is a solid line, the next ones are dashed. */
-function linesOf(chart, rows) {
+/** The words of a column, each once; none where it holds numbers. */
+const wordsOf = (rows, key) => [...new Set(rows.map((row) => row[key]).filter((value) => typeof value === 'string'))];
+
+/** A line, or bars over words, for every series and y column; the first column is a solid line, the next ones are dashed. */
+function linesOf(chart, rows, words) {
   const names = [...new Set(rows.map((row) => row[chart.series] ?? ''))];
   return names.flatMap((name, i) =>
     chart.y.map(({ column, label }, style) => ({
       label: [name, label].filter(Boolean).join(', '),
       data: rows
         .filter((row) => (row[chart.series] ?? '') === name && typeof row[column] === 'number' && !(chart.log_y && row[column] <= 0))
-        .map((row) => ({ x: row[chart.x], y: row[column] })),
+        .map((row) => ({ x: words.length ? words.indexOf(row[chart.x]) : row[chart.x], y: row[column] })),
       borderColor: colors[i % colors.length],
       backgroundColor: colors[i % colors.length],
       borderDash: style ? [5, 4] : [],
@@ -67,6 +70,7 @@ function linesOf(chart, rows) {
 }
 
 function drawChart(canvas, chart, columns, rows) {
+  const words = wordsOf(rows, chart.x);
   const axis = (key, log) => ({
     type: log ? 'logarithmic' : 'linear',
     beginAtZero: true, // a ratio seen through a keyhole looks like a mountain range
@@ -74,13 +78,13 @@ function drawChart(canvas, chart, columns, rows) {
     ticks: { callback: (value) => (log && !Number.isInteger(Math.log10(value)) ? null : Number(value.toPrecision(3)).toLocaleString('en')) },
   });
   return new Chart(canvas, {
-    type: 'line',
-    data: { datasets: linesOf(chart, rows) },
+    type: words.length ? 'bar' : 'line',
+    data: { labels: words, datasets: linesOf(chart, rows, words) },
     options: {
       animation: false,
       maintainAspectRatio: false,
       parsing: false,
-      scales: { x: axis(chart.x, chart.log_x), y: axis(chart.y[0].column, chart.log_y) },
+      scales: { x: words.length ? { type: 'category' } : axis(chart.x, chart.log_x), y: axis(chart.y[0].column, chart.log_y) },
       plugins: { legend: { labels: { boxWidth: 26, boxHeight: 0, font: { size: 11 } } } },
     },
   });

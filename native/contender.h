@@ -1,0 +1,52 @@
+/// A scene as it is drawn in one way: what a frame costs, what work it is, what the program took; and contenders that
+/// take turns, so that what disturbs the machine disturbs all alike.
+#pragma once
+
+#include "native/asset_folder.h"
+#include "native/lab_command.h"
+#include "tracer/render/renderer.h"
+
+#include <optional>
+#include <vector>
+
+namespace gnomon {
+
+/// Of `--aov=work` (docs/outputs.md), means over the picture's pixels.
+struct Work {
+    double boxes = 0, objects = 0, shadowRays = 0;
+};
+
+class Contender {
+  public:
+    /// Compiles; problems where the scene cannot be drawn so.
+    Contender(const Scene&, const NamedImages&, const Settings&, std::span<const ShaderFile> overrides, Problems&);
+
+    /// Seconds on `clock` from asking for a frame to its last pixel.
+    double draw(const View&, double (*clock)());
+    /// Compiles a program that counts instead of showing.
+    std::optional<std::vector<Work>> count(std::span<const View>, Problems&);
+    const ProgramStats& program() const { return program_; }
+
+  private:
+    Renderer renderer_;
+    Settings settings_;
+    ProgramStats program_;
+};
+
+struct Entrant {
+    Contender* contender;
+    View view;
+};
+
+/// Seconds of each entrant in each round, once an unmeasured frame has been drawn. Only whole rounds: fewer, or none,
+/// where the user wants no more.
+std::vector<std::vector<double>> race(std::span<const Entrant>, int rounds, double (*clock)(), LabProgress&);
+
+struct Quartiles {
+    double low = 0, median = 0, high = 0;
+};
+Quartiles quartilesOf(std::vector<double> values);
+/// Of one entrant's times to another's, round by round: what drifts from round to round cancels.
+Quartiles ratioOf(const std::vector<double>& times, const std::vector<double>& base);
+
+} // namespace gnomon

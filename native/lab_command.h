@@ -1,0 +1,50 @@
+/// What the laboratories' commands share: where GL comes from, where results go, the clock, what is left to do.
+#pragma once
+
+#include "native/command_line.h"
+#include "native/context.h"
+#include "tracer/lab/results.h"
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+struct LabOptions {
+    std::string context = "osmesa", json, html;
+};
+void addLabOptions(CLI::App& command, LabOptions&);
+void checkLabOptions(const LabOptions&, Problems&);
+
+/// ` --NAME=A,B,…` for a command that makes the same numbers again; empty where there are no values.
+std::string listOption(const std::string& name, const std::vector<std::string>& values);
+
+/// Seconds as they are counted for the current context: of the process where the processor draws, else on the wall.
+double (*labClock())();
+/// What labClock() counts, in words.
+std::string labClockName();
+
+/// Says on a terminal what is left to do, and hears Ctrl-C; the second one ends the program.
+class LabProgress {
+  public:
+    explicit LabProgress(std::size_t all);
+    /// One more is done. False once the user wants no more: what is done is to be kept.
+    bool step();
+    static bool interrupted();
+
+  private:
+    std::size_t done_ = 0, all_;
+    double started_;
+};
+
+/// The environment, before the first number.
+void printEnvironment(const Environment&);
+/// Writes the files asked for; a problem for each that cannot be written.
+void writeResults(const LabOptions&, const Results&, Problems&);
+
+void addIntersectLab(CLI::App& lab, Task& task);
+void addTraceLab(CLI::App& lab, Task& task);
+
+} // namespace gnomon

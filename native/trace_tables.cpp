@@ -1,0 +1,195 @@
+#include "native/trace_tables.h"
+
+#include <algorithm>
+#include <cstdio>
+
+namespace gnomon {
+namespace {
+
+/// Slower than the best by no more is chosen right.
+constexpr double kRightChoice = 1.15;
+
+Cell number(double value) { return value; }
+
+double milliseconds(const TraceCost& cost) { return 1e3 * quartilesOf(cost.seconds).median; }
+
+const TraceCost* costIn(const std::vector<TraceCost>& costs, const TraceWay& way) {
+    const auto found = std::find_if(costs.begin(), costs.end(), [&](const TraceCost& cost) { return cost.way == way; });
+    return found == costs.end() ? nullptr : &*found;
+}
+
+/// The plain loop over numbers in a block; in a texture, where no block holds them.
+const TraceCost* baseOf(const std::vector<TraceCost>& costs) {
+    const TraceCost* block = costIn(costs, {Accel::None, DataPath::Block});
+    return block ? block : costIn(costs, {Accel::None, DataPath::Texture});
+}
+
+void appendQuartiles(const Quartiles& ratio, std::vector<Cell>& row) {
+    row.insert(row.end(), {ratio.median, ratio.low, ratio.high});
+}
+
+void appendWork(const std::optional<Work>& work, std::vector<Cell>& row) {
+    const auto cell = [&](double Work::*part) { return work ? number((*work).*part) : Cell{}; };
+    row.insert(row.end(), {cell(&Work::boxes), cell(&Work::objects), cell(&Work::shadowRays)});
+}
+
+const std::vector<Column> kWorkColumns{
+    {"boxes", "boxes", "a pixel",
+     "Boxes of hierarchies and cells of blocks asked: mean; the balls of a sieve do not count"},
+    {"objects", "objects", "a pixel", "Objects asked where a ray meets them: mean"},
+    {"shadow_rays", "shadow rays", "a pixel", "Mean"}};
+
+std::vector<Cell> viewRow(const ViewCosts& view, const TraceCost& cost) {
+    std::vector<Cell> row{view.view, nameOf(cost.way), dataOf(cost.way), milliseconds(cost)};
+    appendQuartiles(ratioOf(cost.seconds, baseOf(view.ways)->seconds), row);
+    const TraceCost* source = costIn(view.ways, {Accel::None, DataPath::Block, true});
+    row.push_back(source ? number(ratioOf(source->seconds, cost.seconds).median) : Cell{});
+    appendWork(cost.work, row);
+    row.insert(row.end(), {double(cost.program.sourceBytes), cost.program.compileMs});
+    return row;
+}
+
+/// The same way with the fewest spheres in the same arrangement.
+const TraceCost& fewest(const std::vector<GrowthCosts>& growth, const GrowthCosts& spheres, const TraceWay& way) {
+    const TraceCost* least = nullptr;
+    int count = 0;
+    for (const GrowthCosts& other : growth)
+        for (const GrowthCosts::Way& one : other.ways)
+            if (other.arrangement == spheres.arrangement && one.cost.way == way && (!least || other.spheres < count)) {
+                least = &one.cost;
+                count = other.spheres;
+            }
+    return *least;
+}
+
+Quartiles growthOf(const std::vector<GrowthCosts>& growth, const GrowthCosts& spheres, const TraceCost& cost) {
+    return ratioOf(cost.seconds, fewest(growth, spheres, cost.way).seconds);
+}
+
+/// `auto` among those that read their numbers from the same place. The source's way is none that could be chosen, and a
+/// way that searches alike is the same program.
+void addChoice(const std::string& picture, const std::vector<TraceCost>& costs, DataPath data, Table& table) {
+    const TraceCost* chosen = costIn(costs, {Accel::Auto, data});
+    if (!chosen) return;
+    const TraceCost* best = chosen;
+    for (const TraceCost& cost : costs)
+        if (cost.way.data == data && !cost.way.source && cost.search != chosen->search &&
+            milliseconds(cost) < milliseconds(*best))
+            best = &cost;
+    const Quartiles ratio = ratioOf(chosen->seconds, best->seconds);
+    std::vector<Cell> row{picture, dataOf(chosen->way), chosen->search, nameOf(best->way)};
+    appendQuartiles(ratio, row);
+    row.emplace_back(ratio.median <= kRightChoice ? "yes" : "no");
+    table.rows.push_back(std::move(row));
+}
+
+std::string titleOf(const GrowthCosts& spheres) {
+    return std::string(nameOf(spheres.arrangement)) + ", " + std::to_string(spheres.spheres);
+}
+
+} // namespace
+
+Table viewTable(const std::vector<ViewCosts>& views) {
+    Table table{"scenes", "Scenes", {}, {}};
+    table.columns = {{"view", "view", "", "The scene from its own camera, or from where the name says"},
+                     {"way", "way", "", "source: the source document's way of tracing; else as --accel says"},
+                     {"data", "data", "", "Where the scene's numbers are, as --data says"},
+                     {"frame", "frame", "ms", "Median of the rounds"},
+                     {"ratio", "ratio", "none, block = 1", "Of a frame's time to the plain loop's, in the same round"},
+                     {"ratio_low", "ratio, lower quartile", "", "Of the rounds"},
+                     {"ratio_high", "ratio, upper quartile", "", "Of the rounds"},
+                     {"speed_up", "speed-up", "source = 1", "Of the source's time to this, in the same round: median"}};
+    table.columns.insert(table.columns.end(), kWorkColumns.begin(), kWorkColumns.end());
+    table.columns.push_back({"source", "source", "bytes", "Of the specialised shader"});
+    table.columns.push_back(
+        {"compile", "compile", "ms", "Compiled, linked and first drawn, nothing cached: wall clock"});
+    for (const ViewCosts& view : views)
+        for (const TraceCost& cost : view.ways) table.rows.push_back(viewRow(view, cost));
+    return table;
+}
+
+Table growthTable(const std::vector<GrowthCosts>& growth) {
+    Table table{"growth", "Growth", {}, {}};
+    table.columns = {{"arrangement", "arrangement", "", "Of the spheres: random, in eight heaps, or on a lattice"},
+                     {"spheres", "spheres", "", "In the scene"},
+                     {"way", "way", "", "As --accel says; none only up to " + std::to_string(kMostLooped)},
+                     {"frame", "frame", "ms", "Median of the rounds"},
+                     {"growth", "frame time", "fewest = 1", "To that of the fewest spheres: median of the rounds"},
+                     {"growth_low", "frame time, lower quartile", "", "Of the rounds"},
+                     {"growth_high", "frame time, upper quartile", "", "Of the rounds"}};
+    table.columns.insert(table.columns.end(), kWorkColumns.begin(), kWorkColumns.end());
+    table.columns.push_back(
+        {"pack", "pack", "ms of one core",
+         "A frame's numbers, boxes fitted and children sorted, when all spheres move; regular ones rest"});
+    table.columns.push_back({"load", "load", "ms of one core",
+                             "From the scene to its first frame's numbers: search chosen, hierarchy built"});
+    for (const GrowthCosts& spheres : growth)
+        for (const GrowthCosts::Way& way : spheres.ways) {
+            std::vector<Cell> row{std::string(nameOf(spheres.arrangement)), double(spheres.spheres),
+                                  nameOf(way.cost.way), milliseconds(way.cost)};
+            appendQuartiles(growthOf(growth, spheres, way.cost), row);
+            appendWork(way.cost.work, row);
+            row.insert(row.end(), {way.packMs, way.loadMs});
+            table.rows.push_back(std::move(row));
+        }
+    return table;
+}
+
+Table choiceTable(const std::vector<ViewCosts>& views, const std::vector<GrowthCosts>& growth) {
+    Table table{"choice", "Choice: the cost model against the clock", {}, {}};
+    table.columns = {{"picture", "picture", "", "A view, or spheres"},
+                     {"data", "data", "", "Where the scene's numbers are"},
+                     {"chose", "auto chose", "", "Of the kinds that are not asked one by one"},
+                     {"best", "best", "", "The way with the least median: auto, where no other search is faster"},
+                     {"ratio", "auto", "best = 1", "Of a frame's time to the best one's, in the same round: median"},
+                     {"ratio_low", "auto, lower quartile", "", "Of the rounds"},
+                     {"ratio_high", "auto, upper quartile", "", "Of the rounds"},
+                     {"right", "right", "", "Within 15 % of the best"}};
+    for (const ViewCosts& view : views)
+        for (const DataPath data : {DataPath::Block, DataPath::Texture}) addChoice(view.view, view.ways, data, table);
+    for (const GrowthCosts& spheres : growth) {
+        std::vector<TraceCost> costs;
+        for (const GrowthCosts::Way& way : spheres.ways) costs.push_back(way.cost);
+        addChoice(titleOf(spheres), costs, DataPath::Texture, table);
+    }
+    return table;
+}
+
+std::vector<Chart> traceCharts() {
+    const Chart speedUp{"Speed-up over the source's way, with numbers in a block and in a texture",
+                        "scenes",
+                        "view",
+                        {{"speed_up", ""}},
+                        "way",
+                        "data",
+                        {}};
+    const auto growth = [](const char* title, const std::vector<std::pair<std::string, std::string>>& columns) {
+        return Chart{title, "growth", "spheres", columns, "way", "arrangement", {}, true, true};
+    };
+    return {speedUp, growth("Frame time beside that of the fewest spheres", {{"growth", ""}}),
+            growth("Boxes and objects asked a pixel", {{"boxes", "boxes"}, {"objects", "objects"}})};
+}
+
+std::string growthSummary(const std::vector<GrowthCosts>& growth) {
+    std::string text;
+    for (std::size_t i = 0; i < growth.size(); ++i) {
+        const GrowthCosts& most = growth[i];
+        const bool last = i + 1 == growth.size() || growth[i + 1].arrangement != most.arrangement;
+        const auto first = std::find_if(growth.begin(), growth.end(), [&](const GrowthCosts& other) {
+            return other.arrangement == most.arrangement;
+        });
+        if (!last || first->spheres == most.spheres) continue;
+        text += std::string(nameOf(most.arrangement)) + " spheres, " + std::to_string(first->spheres) + " to " +
+                std::to_string(most.spheres) + ": a frame takes";
+        for (const GrowthCosts::Way& way : most.ways) {
+            char words[80];
+            std::snprintf(words, sizeof words, "%s %.2f times as long (%s)", &way == &most.ways.front() ? "" : ",",
+                          growthOf(growth, most, way.cost).median, nameOf(way.cost.way).c_str());
+            text += words;
+        }
+        text += "\n";
+    }
+    return text;
+}
+
+} // namespace gnomon
