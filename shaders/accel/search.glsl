@@ -39,8 +39,13 @@ Search$Shape start$Shape(Ray ray) {
 #else
     int self = ray.self - k$ShapeFirst - k$ShapeLoose;
     search.sieve = self >= 0 && self < k$ShapeCount - k$ShapeLoose ? 1u << uint(self) : 0u;
-#for Bit in $SHAPE_LOOSE
-    if (!passesBy(ray, ball$Shape(load$Shape(k$ShapeBase + (k$ShapeLoose + $Bit) * k$ShapeTexels)))) search.sieve |= 1u << $Bitu;
+#for Part in $SHAPE_SIEVE
+    // Always true. Without it GPUs load all balls at once, and have no registers for so many.
+    if (frame.zero.x == 0u) {
+#for Bit in $SHAPE_SIEVE_$PART
+        if (!passesBy(ray, ball$Shape(load$Shape(k$ShapeBase + (k$ShapeLoose + $Bit) * k$ShapeTexels)))) search.sieve |= 1u << $Bitu;
+#endfor
+    }
 #endfor
 #endif
     return search;

@@ -33,8 +33,13 @@ void addSearch(const KindCount& kind, Names& names) {
     names.values["SEARCHES"] |= int(searched);
     names.values["BLOCKS"] |= int(block);
     names.values["HIERARCHIES"] |= int(kind.search == Search::Hierarchy);
-    auto& loose = names.lists[type + "_LOOSE"];
-    for (int i = 0; i < kind.loose() && kind.search == Search::Sieve; ++i) loose.push_back(std::to_string(i));
+    constexpr int kPart = 4; // balls that GPUs may hold at once
+    names.lists[type + "_SIEVE"];
+    for (int i = 0; i < kind.loose() && kind.search == Search::Sieve; ++i) {
+        const std::string part = std::to_string(i / kPart);
+        if (i % kPart == 0) names.lists[type + "_SIEVE"].push_back(part);
+        names.lists[type + "_SIEVE_" + part].push_back(std::to_string(i));
+    }
 }
 
 Names namesOf(const Features& f) {
