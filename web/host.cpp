@@ -14,7 +14,6 @@
 
 #include <emscripten.h>
 #include <emscripten/html5.h>
-#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstring>
@@ -36,12 +35,13 @@ using namespace gnomon;
 struct Host {
     EMSCRIPTEN_WEBGL_CONTEXT_HANDLE context = 0;
     std::unique_ptr<Viewer> viewer;
-    Problems problems;          ///< of frames, until the page takes them
-    std::string answer;         ///< the text handed out last
-    Image picture;              ///< the pixels handed out last
-    FloatImage output;          ///< the output handed out last
-    std::vector<BatchHit> hits; ///< of the rays traced last
-    int readback[4] = {};       ///< width, height, channels, address: how the page finds them
+    Problems problems;               ///< of frames, until the page takes them
+    std::string answer;              ///< the text handed out last
+    Image picture;                   ///< the pixels handed out last
+    FloatImage output;               ///< the output handed out last
+    std::vector<BatchHit> hits;      ///< of the rays traced last
+    std::vector<ShaderFile> shaders; ///< of the page's own, not yet used
+    int readback[4] = {};            ///< width, height, channels, address: how the page finds them
 };
 Host host;
 
@@ -195,18 +195,21 @@ EMSCRIPTEN_KEEPALIVE double compileMs() { return host.viewer->renderer().stats()
 EMSCRIPTEN_KEEPALIVE int sourceBytes() { return int(host.viewer->renderer().stats().sourceBytes); }
 EMSCRIPTEN_KEEPALIVE const char* shaderSource() { return give(host.viewer->renderer().source()); }
 
-/// Takes shader files of the page's own in the place of the library's: a JSON object of their texts by name.
-EMSCRIPTEN_KEEPALIVE const char* replaceShaders(const char* json) {
+/// A shader file of the page's own, to be used from the next useShaders() on.
+EMSCRIPTEN_KEEPALIVE void addShader(const char* name, const char* text) {
     // Kept for good: the line maps of programs point into them.
     static std::deque<std::string> kept;
-    std::vector<ShaderFile> files;
+    const std::string& keptName = kept.emplace_back(name);
+    host.shaders.push_back({keptName, kept.emplace_back(text)});
+}
+
+/// The files added since the last call take the place of the library's of the same name, and no others.
+EMSCRIPTEN_KEEPALIVE const char* useShaders() {
+    const std::vector<ShaderFile> files = std::exchange(host.shaders, {});
     Problems problems;
-    const auto texts = nlohmann::json::parse(json, nullptr, false);
-    for (const auto& [name, text] : texts.items()) {
-        if (shaderText(name).empty()) problems.push_back({"shaders/" + name, 0, {}, "there is no such shader file", {}});
-        const std::string& keptName = kept.emplace_back(name);
-        files.push_back({keptName, kept.emplace_back(text.get<std::string>())});
-    }
+    for (const ShaderFile& file : files)
+        if (shaderText(file.name).empty())
+            problems.push_back({"shaders/" + std::string(file.name), 0, {}, "there is no such shader file", {}});
     if (problems.empty()) host.viewer->renderer().replaceShaders(files);
     return give(toString(problems));
 }

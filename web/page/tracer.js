@@ -90,7 +90,10 @@ function wrap(module) {
     compileMs: () => module._compileMs(),
     sourceBytes: () => module._sourceBytes(),
     source: () => text(module._shaderSource()),
-    replaceShaders: (files) => text(withStrings('replaceShaders', JSON.stringify(files))),
+    replaceShaders(files) {
+      for (const [name, glsl] of Object.entries(files)) withStrings('addShader', name, glsl);
+      return text(module._useShaders());
+    },
     framesPerSecond: () => module._framesPerSecond(),
     title: () => text(module._title()),
     glRenderer: () => text(module._glRenderer()),
