@@ -170,7 +170,9 @@ TEST(CostOfTheTorus, IsNotPaidForNothing) {
         for (std::size_t i = 0; i < rays.size(); ++i)
             wrong += (a[i].object < 0) != (b[i].object < 0) || (a[i].object >= 0 && std::abs(a[i].t - b[i].t) > 0.05f);
         std::printf("torus from %g units: the textbook's answer differs for %d of 100000 rays\n", distance, wrong);
-        if (distance >= 100) EXPECT_GT(wrong, 10000);
+        if (distance >= 100) {
+            EXPECT_GT(wrong, 10000);
+        }
     }
 }
 

@@ -179,7 +179,9 @@ TEST(Glass, InConvexBodiesAddsNoLightAndInABoxLosesNone) {
                 for (int x = 0; x < 96; ++x) {
                     const float value = *image.at(x, y);
                     ASSERT_LE(value, 1.0f + 1e-5f) << x << ' ' << y;
-                    if (box) ASSERT_GE(value, 1.0f - 4.0f / 27) << x << ' ' << y;
+                    if (box) {
+                        ASSERT_GE(value, 1.0f - 4.0f / 27) << x << ' ' << y;
+                    }
                 }
         }
 }

@@ -112,7 +112,9 @@ TEST(Layout, NumbersTheBlockFirstThenCastersThenTheRest) {
     for (int i = 0; i < 110; ++i) {
         const Object& object = pro.objects[std::size_t(spheres.objects[std::size_t(i)])];
         EXPECT_EQ(object.castsShadow, i < spheres.casters) << i;
-        if (i < 100) EXPECT_EQ(object.shape.texels[0], glm::dvec4(2 * (i % 10) - 10, -7, 5 + 2 * (i / 10), 0.8)) << i;
+        if (i < 100) {
+            EXPECT_EQ(object.shape.texels[0], glm::dvec4(2 * (i % 10) - 10, -7, 5 + 2 * (i / 10), 0.8)) << i;
+        }
     }
 }
 
