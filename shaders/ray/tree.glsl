@@ -26,14 +26,14 @@ struct Path {
 vec3 stackOrigin[kRayStack];
 vec3 stackDirection[kRayStack];
 vec3 stackShare[kRayStack];
-uint stackPencil[kRayStack]; // width and spread, to the three digits that a level of detail needs
+uint stackPencil[kRayStack]; // width and spread, the upper half of each: the two digits that a level of detail needs
 int stackTag[kRayStack]; // self, depth and side in one: each entry's numbers are registers of every pixel
 
 void pushRay(inout int size, Ray ray, Path path) {
     stackOrigin[size] = ray.origin;
     stackDirection[size] = ray.direction;
     stackShare[size] = path.share;
-    stackPencil[size] = packHalf2x16(min(vec2(path.width, path.spread * 1024.0), 6e4));
+    stackPencil[size] = (floatBitsToUint(path.width) & 0xFFFF0000u) | (floatBitsToUint(path.spread) >> 16);
     stackTag[size] = (ray.self << 5) | (path.depth << 1) | int(ray.side > 0.0);
     ++size;
 }
@@ -42,8 +42,7 @@ void popRay(inout int size, out Ray ray, out Path path) {
     --size;
     int tag = stackTag[size];
     ray = rayFrom(stackOrigin[size], stackDirection[size], tag >> 5, (tag & 1) == 1 ? 1.0 : -1.0);
-    vec2 pencil = unpackHalf2x16(stackPencil[size]);
-    path = Path(stackShare[size], (tag >> 1) & 15, pencil.x, pencil.y / 1024.0);
+    path = Path(stackShare[size], (tag >> 1) & 15, uintBitsToFloat(stackPencil[size] & 0xFFFF0000u), uintBitsToFloat(stackPencil[size] << 16));
 }
 #endif
 
