@@ -50,10 +50,9 @@ void packMaterial(const Material& m, const std::vector<std::string>& images, dou
     const Optics optics = opticsOf(m, images);
     const auto slot = [&](const std::optional<TextureUse>& use) { return use ? slotOf(images, use->image) : -1; };
     const int slots = slot(m.texture) + 1 + kSlots * (slot(m.normalMap) + 1 + kSlots * (optics.mask + 1));
-    out.insert(out.end(),
-               {glm::vec4(m.diffuse, m.shininess), glm::vec4(m.specular, optics.kind),
-                glm::vec4(m.ambient + m.emission, optics.ior), glm::vec4(optics.f0, slots), placement(m.texture, time),
-                placement(m.normalMap, time)});
+    out.insert(out.end(), {glm::vec4(m.diffuse, m.shininess), glm::vec4(m.specular, optics.kind),
+                           glm::vec4(m.ambient + m.emission, optics.ior), glm::vec4(optics.f0, slots),
+                           placement(m.texture, time), placement(m.normalMap, time)});
 }
 
 /// Into the free components of every triangle goes the middle of the box about all of them: rays are re-centred on it.
