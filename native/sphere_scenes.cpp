@@ -131,7 +131,7 @@ Scene sphereScene(Arrangement arrangement, int count, std::uint64_t seed) {
     scene.name = std::string(nameOf(arrangement)) + " " + std::to_string(count);
     scene.camera = {{9, 8, 24}, {0, -1, 0}, {0, 1, 0}, 30.5};
     scene.background.color = {0.35, 0.45, 0.6};
-    scene.lights = {{PointLight{{12, 20, 16}}, glm::dvec3(1)}};
+    scene.lights = {{{12, 20, 16}}};
     scene.materials = materials();
     Dice dice(seed);
     const double radius = radiusFor(count);

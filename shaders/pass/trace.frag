@@ -5,11 +5,11 @@
 #include "scene.glsl"
 #include "ray/ray.glsl"
 #include "ray/split.glsl"
-#include "ray/nearest.glsl"
-#if SHADOWS
-#include "shadow/hard.glsl"
+#if OUTPUT == STEPS
+#include "sdf/count.glsl"
 #endif
-#if OUTPUT == COLOR || OUTPUT == WORK
+#include "ray/nearest.glsl"
+#if OUTPUT == COLOR || OUTPUT == WORK || OUTPUT == STEPS
 #if IMAGES
 #include "shade/images.glsl"
 #endif
@@ -54,6 +54,14 @@ vec4 pixel(Ray ray) {
     if (color.r < -1.0) counts.r = 0.0; // the colour is asked for, too: nothing of the work may be left out
     return vec4(frame.limits.z == 1 ? counts / vec3(256.0, 64.0, 16.0) : counts, 1.0);
 }
+#elif OUTPUT == STEPS
+// Evaluations of distances that the colour of this pixel takes; shown against 256 of them.
+vec4 pixel(Ray ray) {
+    vec3 color = traceTree(ray, frame.cone.x);
+    vec3 count = vec3(float(evaluations));
+    if (color.r < -1.0) count.r = 0.0; // the colour is asked for, too: nothing of the work may be left out
+    return vec4(frame.limits.z == 1 ? count / 256.0 : count, 1.0);
+}
 #else
 // What the primary ray meets. `value` for reading back, `shown` for a window.
 vec4 pixel(Ray ray) {
@@ -87,7 +95,7 @@ vec4 pixel(Ray ray) {
 #if LIGHTS && SHADOWS
     Light light = loadLight(clamp(frame.limits.y, 0, kLightCount - 1));
     float behind = dot(light.position - surface.point, surface.normal) * dot(ray.direction, surface.normal);
-    fraction = behind > 0.0 ? 0.0 : lightFraction(surface, object, light); // lit from behind: the surface itself is in the way
+    fraction = behind > 0.0 ? 0.0 : lightFraction(surface, object, light, frame.cone.x * t); // lit from behind: the surface itself is in the way
 #endif
     return vec4(vec3(fraction), 1.0);
 #endif

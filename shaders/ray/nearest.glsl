@@ -52,7 +52,7 @@ int nearestHit(Ray ray, out float t) {
     return nearest;
 }
 
-#if SHADOWS
+#if SHADOW_RAYS
 bool occluded(Ray ray, float distance) {
 #if OUTPUT == WORK
     ++work.z;

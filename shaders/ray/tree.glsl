@@ -108,6 +108,7 @@ vec3 traceTree(Ray ray, float pixelAngle) {
 #endif
             vec3 incoming = ray.direction;
             vec3 share = path.share;
+            float width = path.width;
 #if REFLECTION
             if (material.optics != kPlain && path.depth < deepest()) {
                 float side = outside ? 1.0 : -1.0;
@@ -143,7 +144,7 @@ vec3 traceTree(Ray ray, float pixelAngle) {
             }
 #endif
             // After the next ray, so that what only that ray needs holds no registers while shadow rays run.
-            color += share * shade(material, surface, object, facing, normal, -incoming, tint, share);
+            color += share * shade(material, surface, object, facing, normal, -incoming, tint, share, width);
         }
         if (follow) continue;
 #if RAY_STACK

@@ -4,6 +4,7 @@
 // facing     geometric normal on the ray's side: light from behind it does not reach the surface, whatever a normal map says
 // normal     shading normal
 // tint       the texture's colour at the point: it colours its own surface only
+// width      of what a pixel covers of the surface
 // share      what of this surface reaches the picture: a light that adds less than the threshold needs no shadow ray
 #if LIGHTS
 #include "ray/bits.glsl"
@@ -22,7 +23,7 @@ vec3 reflectedLight(Light light, Material material, vec3 albedo, vec3 point, vec
 }
 #endif
 
-vec3 shade(Material material, Surface surface, int self, vec3 facing, vec3 normal, vec3 toEye, vec3 tint, vec3 share) {
+vec3 shade(Material material, Surface surface, int self, vec3 facing, vec3 normal, vec3 toEye, vec3 tint, vec3 share, float width) {
     vec3 color = material.own * tint;
 #if LIGHTS
     vec3 albedo = material.diffuse * tint;
@@ -38,7 +39,7 @@ vec3 shade(Material material, Surface surface, int self, vec3 facing, vec3 norma
     while (counting != 0u) {
         int next = lowestBit(counting);
         counting &= counting - 1u;
-        float fraction = lightFraction(surface, self, loadLight(next));
+        float fraction = lightFraction(surface, self, loadLight(next), width);
         for (int i = 0; i < kLightCount; ++i)
             if (i == next) color += added[i] * fraction;
     }

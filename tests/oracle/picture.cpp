@@ -153,7 +153,7 @@ glm::dvec3 Picture::shade(const Material& material, const SceneHit& hit, Vec dir
     glm::dvec3 sum = material.emission + material.ambient;
     const Vec start = startOff(hit, hit.normal);
     for (const Light& light : scene_.lights) {
-        const Vec position = asInShader(std::get<PointLight>(light.shape).position);
+        const Vec position = asInShader(light.position);
         const Vec toLight = glm::normalize(position - hit.point);
         const double cosine = double(glm::dot(hit.normal, toLight));
         if (cosine <= 0) continue;

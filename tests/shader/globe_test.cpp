@@ -327,7 +327,7 @@ struct Landscape {
         for (const Ball& ball : balls)
             more += R"(, {"sphere": {"center": )" + text(ball.center) + format(R"(, "radius": %.17Lg}})", ball.radius);
         Scene scene = sceneFrom(ground.json(more));
-        scene.lights = {{PointLight{glm::dvec3(light)}}};
+        scene.lights = {{glm::dvec3(light)}};
         return scene;
     }
     /// What the ray meets first, the ground being 0, and t; -1 where it meets nothing.

@@ -294,7 +294,7 @@ TEST_P(InsideOf, HasNoIsolatedPixel) {
                   in.shape + R"(, "material": "wall"}, {"sphere": {"center": )" + in.pebble +
                   R"(, "radius": 0.05}, "material": "pebble"}]})");
     scene.camera = {in.eye, in.target, {0, 1, 0}, 95};
-    scene.lights[0].shape = PointLight{in.light};
+    scene.lights[0].position = in.light;
     EXPECT_EQ(differenceOf(std::string("inside-") + in.name, scene, sized(240, 180)).outliers, 0);
 }
 
@@ -369,7 +369,7 @@ Scene scaled(Scene scene, double factor) {
                 for (int c = field.component; c < field.component + (one ? 1 : 3); ++c)
                     object.shape.texels[std::size_t(field.texel + i)][c] *= factor;
         }
-    for (Light& light : scene.lights) std::get<PointLight>(light.shape).position *= factor;
+    for (Light& light : scene.lights) light.position *= factor;
     scene.camera.eye *= factor;
     scene.camera.target *= factor;
     return scene;

@@ -25,7 +25,7 @@ Scene moved(Scene scene, glm::dvec3 by) {
     for (Object& object : scene.objects)
         // What moves around another object rests relative to it.
         if (!object.motion || object.motion->around < 0) object.shape = translated(object.shape, by);
-    for (Light& light : scene.lights) std::get<PointLight>(light.shape).position += by;
+    for (Light& light : scene.lights) light.position += by;
     scene.camera.eye += by;
     scene.camera.target += by;
     return scene;

@@ -140,7 +140,7 @@ TEST(Lite, IsLitByThreeWhiteLightsAndSeenFromThirtyFive) {
     const Scene lite = shipped("lite");
     const glm::dvec3 places[] = {{0, 0, 0}, {-2, 20, 0}, {20, 20, 0}};
     for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_EQ(std::get<PointLight>(lite.lights[i].shape).position, places[i]);
+        EXPECT_EQ(lite.lights[i].position, places[i]);
         EXPECT_EQ(lite.lights[i].color, glm::dvec3(1));
     }
     EXPECT_EQ(lite.camera.eye, glm::dvec3(0, 0, 35));

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kWidth = 512;                 // rays a row
 constexpr int kMostRows = 512;              // rows a draw
-constexpr GLsizeiptr kFrameBytes = 12 * 16; // of the frame block (shaders/frame.glsl): all 0 but for limits.x
+constexpr GLsizeiptr kFrameBytes = 13 * 16; // of the frame block (shaders/frame.glsl): all 0 but for limits.x
 constexpr GLintptr kRepeatsAt = 9 * 16;     // of limits.x
 constexpr std::size_t kMost = std::size_t(kWidth) * kMostRows; // rays a draw
 constexpr int kOrigins = 0, kDirections = 1;                   // texture units

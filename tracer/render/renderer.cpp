@@ -20,7 +20,7 @@ constexpr GLenum kSeamlessCubemap = 0x884F; // GL_TEXTURE_CUBE_MAP_SEAMLESS: alw
 /// shaders/frame.glsl, in std140.
 struct FrameBlock {
     glm::vec4 eye, right, up, forward, origin, background, cone, options, canvas;
-    glm::ivec4 limits, channels;
+    glm::ivec4 limits, budget, channels;
     glm::uvec4 zero;
 };
 
@@ -38,7 +38,8 @@ FrameBlock frameBlock(const View& view, const Scene& scene, glm::dvec3 origin, c
     block.origin = glm::vec4(origin, 0);
     block.background = glm::vec4(scene.background.color, 1);
     block.cone.x = float(2 * camera.halfHeight / view.height);
-    block.options.x = float(settings.threshold);
+    block.options = glm::vec4(settings.threshold, settings.epsilon, settings.lightRadius.value_or(-1), 0);
+    block.budget = glm::ivec4(settings.shadowSteps, settings.samples, settings.marchSteps, 0);
     block.canvas = glm::vec4(view.width, view.height, 0, 0);
     block.limits = glm::ivec4(settings.depth, settings.light, encode, 0);
     block.channels = glm::ivec4(channel(0), channel(1), channel(2), 0);

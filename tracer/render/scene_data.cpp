@@ -191,7 +191,7 @@ void ScenePacker::packHierarchy(Hierarchy& hierarchy, std::span<const int> objec
 
 void ScenePacker::packLights() {
     for (const Light& light : scene_.lights) {
-        texels_.emplace_back(glm::vec4(std::get<PointLight>(light.shape).position - origin_, 0));
+        texels_.emplace_back(glm::vec4(light.position - origin_, light.radius));
         texels_.emplace_back(glm::vec4(light.color, 0));
     }
 }

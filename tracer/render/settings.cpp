@@ -17,12 +17,19 @@ namespace {
 constexpr double kFar = 1e6; ///< limit of coordinates and seconds: beyond, float has less than 1/16 left
 
 std::vector<SettingRow> makeTable() {
-    const ChoiceType shadows{{"off", "hard"},
-                             [](const Settings& s) { return int(s.shadows); },
-                             [](Settings& s, int i) { s.shadows = ShadowModel(i); }};
-    const ChoiceType aov{{"color", "distance", "position", "normal", "object", "visibility", "work"},
+    std::vector<std::string_view> models;
+    for (const ShadowRow& row : kShadowModels) models.push_back(row.key);
+    const ChoiceType shadows{models, [](const Settings& s) { return int(s.shadows); },
+                             [](Settings& s, int i) { s.shadows = ShadowModel(i); }, true};
+    const ChoiceType aov{{"color", "distance", "position", "normal", "object", "visibility", "work", "steps"},
                          [](const Settings& s) { return int(s.aov); },
                          [](Settings& s, int i) { s.aov = Aov(i); }};
+    const ChoiceType direction{{"a", "b"},
+                               [](const Settings& s) { return int(s.direction); },
+                               [](Settings& s, int i) { s.direction = Direction(i); }};
+    const ChoiceType march{{"steps", "sphere", "cone"},
+                           [](const Settings& s) { return int(s.march); },
+                           [](Settings& s, int i) { s.march = March(i); }};
     const ChoiceType data{{"auto", "block", "texture"},
                           [](const Settings& s) { return int(s.data); },
                           [](Settings& s, int i) { s.data = DataPath(i); }};
@@ -39,6 +46,30 @@ std::vector<SettingRow> makeTable() {
         {"threshold", RealType{&S::threshold, 0, 1}, "Rays",
          "Rays that carry less than this share of the picture are not followed", 1.0 / 512},
         {"shadows", shadows, "Light", "How shadows are found", 0, "1", {}, Effect::Rebuild},
+        {"epsilon", RealType{&S::epsilon, 1.0 / 4096, 0.5}, "Light",
+         "Error of the light fraction that shadow cones may make", 0.005},
+        {"direction",
+         direction,
+         "Light",
+         "Shadow cones go a: from the surface to the light, b: the other way",
+         0,
+         {},
+         {},
+         Effect::Rebuild},
+        {"shadow-steps", IntType{&S::shadowSteps, 1, 4096}, "Light", "Steps after which a shadow cone gives up", 1},
+        {"samples", IntType{&S::samples, 1, 65536}, "Light", "Shadow rays to each light of `shadows=montecarlo`", 1},
+        {"light-radius", OptionalRealType{&S::lightRadius, 0, 1e4}, "Light",
+         "Radius of all lights; the scene's own if unset", 0.05},
+        {"march",
+         march,
+         "Rays",
+         "How rays find distance objects: in equal steps, by spheres, by the cone of a pixel",
+         0,
+         {},
+         {},
+         Effect::Rebuild},
+        {"march-steps", IntType{&S::marchSteps, 1, 4096}, "Rays", "Steps after which a ray gives up a distance object",
+         1},
         {"glow", BoolType{&S::glow}, "Light", "Light in the air around objects that glow", 0, "G", {}, Effect::Rebuild},
         {"normal-maps", BoolType{&S::normalMaps}, "Light", "Fine relief from images", 0, "N", {}, Effect::Rebuild},
         {"color-mode", colorMode, "Picture", "Which of red, green and blue each channel of the picture shows", 0, "Up",
@@ -279,6 +310,7 @@ struct Step {
     }
     std::string operator()(const ChoiceType& type) {
         const int count = int(type.names.size());
+        if (type.switches) return type.set(settings, type.get(settings) == 0), std::string();
         type.set(settings, (type.get(settings) + by + count) % count);
         return {};
     }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tracer/problem.h"
+#include "tracer/render/shadow_models.h"
 
 #include <glm/glm.hpp>
 
@@ -15,10 +16,14 @@
 
 namespace gnomon {
 
-enum class ShadowModel { Off, Hard };
+/// Which end shadow cones are marched from.
+enum class Direction { FromSurface, FromLight };
+
+/// How rays find the surface of a distance object.
+enum class March { Steps, Sphere, Cone };
 
 /// Outputs of the shader, see `--aov` in docs/outputs.md.
-enum class Aov { Color, Distance, Position, Normal, Object, Visibility, Work };
+enum class Aov { Color, Distance, Position, Normal, Object, Visibility, Work, Steps };
 /// Floats a pixel of an output: 3 for vectors and colours, 1 otherwise.
 int channelsOf(Aov);
 
@@ -33,6 +38,13 @@ struct Settings {
     int depth = 4;
     double threshold = 1.0 / 512.0;
     ShadowModel shadows = ShadowModel::Hard;
+    double epsilon = 1.0 / 30;
+    int shadowSteps = 256;
+    Direction direction = Direction::FromSurface;
+    int samples = 64;
+    std::optional<double> lightRadius;
+    March march = March::Cone;
+    int marchSteps = 256;
     bool glow = true;
     bool normalMaps = true;
     int colorMode = 5; ///< index into colorModes(): 5 = rgb
@@ -84,6 +96,7 @@ struct ChoiceType {
     std::vector<std::string_view> names;
     int (*get)(const Settings&);
     void (*set)(Settings&, int);
+    bool switches = false; ///< a hotkey goes to the first choice, and from there to the second: off and on
 };
 using SettingType =
     std::variant<BoolType, IntType, RealType, OptionalRealType, OptionalPointType, SizeType, ChoiceType>;

@@ -112,9 +112,11 @@ void SceneReader::readBackground(const ObjectReader& background) {
 
 void SceneReader::readLight(const ObjectReader& reader) {
     Light light;
-    PointLight point;
-    if (const auto shape = reader.object("point")) shape->read("position", point.position);
-    light.shape = point;
+    if (const auto point = reader.object("point")) point->read("position", light.position);
+    if (const auto sphere = reader.object("sphere")) {
+        sphere->read("center", light.position);
+        sphere->read("radius", light.radius);
+    }
     reader.read("color", light.color);
     scene_.lights.push_back(light);
 }

@@ -75,11 +75,11 @@ struct Object {
     int line = 0;             ///< in the scene file
 };
 
-struct PointLight {
-    glm::dvec3 position{0};
-};
+/// A sphere that shines, equally strong at every distance; a point where its radius is 0. It is itself no object: nothing
+/// is seen of it and it hides nothing.
 struct Light {
-    std::variant<PointLight> shape;
+    glm::dvec3 position{0};
+    double radius = 0;
     glm::dvec3 color{1};
 };
 

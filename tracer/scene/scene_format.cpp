@@ -54,11 +54,20 @@ const ObjectFormat& pointLightFormat() {
     return format;
 }
 
+const ObjectFormat& sphereLightFormat() {
+    static const ObjectFormat format{
+        "Light from a sphere that is not seen itself, equally strong at every distance",
+        {{"center", Vector, kCoordinate, "Its centre", true},
+         {"radius", Number, kLength, "Its radius: the larger, the softer shadows are", true}}};
+    return format;
+}
+
 const ObjectFormat& lightFormat() {
     static const ObjectFormat format{"A light",
                                      {{"point", Object, kAny, "Light from one point", false, &pointLightFormat()},
+                                      {"sphere", Object, kAny, "Light from a sphere", false, &sphereLightFormat()},
                                       {"color", Color, kColor, "Colour and strength; default [1, 1, 1]"}},
-                                     {{"light kind", {"point"}, true}}};
+                                     {{"light kind", {"point", "sphere"}, true}}};
     return format;
 }
 

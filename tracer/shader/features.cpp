@@ -103,6 +103,7 @@ Features featuresOf(const Scene& scene, const Settings& settings, int maxBlockTe
     features.rayStack = features.refraction ? stackFor(settings.depth) : 0;
     features.cubemap = !scene.background.cubemap.empty();
     features.shadows = features.lights > 0 ? settings.shadows : ShadowModel::Off;
+    features.distances = shadowRow(features.shadows).distances;
     if (settings.glow)
         features.glows = int(std::count_if(scene.objects.begin(), scene.objects.end(),
                                            [](const Object& o) { return o.glow.has_value(); }));

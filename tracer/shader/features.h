@@ -36,6 +36,7 @@ struct Features {
     bool reflection = false, refraction = false, coats = false, conductors = false;
     bool cubemap = false, linear = false;
     ShadowModel shadows = ShadowModel::Off;
+    bool distances = false; ///< of shapes are asked for
     Aov output = Aov::Color;
     bool dataBlock = false; ///< numbers in a uniform block, else in a texture
     bool es300 = true;      ///< prelude `#version 300 es`, else `330 core`

@@ -59,6 +59,8 @@ Names namesOf(const Features& f) {
         {"RAY_STACK", f.rayStack},
         {"DATA_BLOCK", f.dataBlock},
         {"SHADOWS", f.shadows != ShadowModel::Off},
+        {"SHADOW_RAYS", shadowRow(f.shadows).rays},
+        {"DISTANCES", f.distances},
         {"OUTPUT", int(f.output)},
         {"COLOR", int(Aov::Color)},
         {"DISTANCE", int(Aov::Distance)},
@@ -67,6 +69,7 @@ Names namesOf(const Features& f) {
         {"OBJECT", int(Aov::Object)},
         {"VISIBILITY", int(Aov::Visibility)},
         {"WORK", int(Aov::Work)},
+        {"STEPS", int(Aov::Steps)},
         {"HIERARCHY", int(Search::Hierarchy)},
     };
     auto& shapes = names.lists["SHAPES"];
@@ -76,6 +79,9 @@ Names namesOf(const Features& f) {
         if (kind.casters > 0) casters.emplace_back(shapeRow(kind.kind).type);
         addSearch(kind, names);
     }
+    std::string model(shadowRow(f.shadows).key);
+    std::replace(model.begin(), model.end(), '-', '_');
+    names.lists["SHADOW_MODEL"] = {model};
     auto& images = names.lists["IMAGE_SLOTS"];
     for (int i = 0; i < f.images; ++i) images.push_back(std::to_string(i));
     const auto slots = [&](const char* list, const std::vector<int>& which) {

@@ -9,6 +9,10 @@ Light loadLight(int index) {
     return Light(sceneTexel(at).xyz, sceneTexel(at + 1).rgb);
 }
 
+#if SHADOWS
+#include "shadow/hard.glsl"
+#endif
+
 float lightFraction(vec3 point, vec3 normal, Light light) {
 #if SHADOWS
     vec3 start = point + 1e-3 * normal;
@@ -19,7 +23,7 @@ float lightFraction(vec3 point, vec3 normal, Light light) {
 #endif
 }
 
-float lightFraction(Surface surface, int self, Light light) {
+float lightFraction(Surface surface, int self, Light light, float width) {
     bool front = dot(light.position - surface.point, surface.normal) >= 0.0;
     return lightFraction(surface.point, front ? surface.normal : -surface.normal, light);
 }
