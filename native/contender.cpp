@@ -43,6 +43,14 @@ std::optional<std::vector<Work>> Contender::count(std::span<const View> views, P
     return problems.empty() ? std::optional(works) : std::nullopt;
 }
 
+FloatImage Contender::read(const Settings& settings, const View& view, Problems& problems) {
+    renderer_.configure(settings);
+    FloatImage image;
+    if (renderer_.finish(problems)) image = renderer_.readOutput(view, problems);
+    renderer_.configure(settings_);
+    return image;
+}
+
 std::vector<std::vector<double>> race(std::span<const Entrant> entrants, int rounds, double (*clock)(),
                                       LabProgress& progress) {
     std::vector<std::vector<double>> times(entrants.size());
@@ -51,6 +59,7 @@ std::vector<std::vector<double>> race(std::span<const Entrant> entrants, int rou
         for (std::size_t i = 0; i < entrants.size(); ++i) {
             // Forth and back, so that what grows during a round favours nobody.
             const std::size_t turn = round % 2 == 0 ? i : entrants.size() - 1 - i;
+            if (entrants[turn].settings) entrants[turn].contender->use(*entrants[turn].settings);
             seconds[turn] = entrants[turn].contender->draw(entrants[turn].view, clock);
             if (!progress.step() && i + 1 < entrants.size()) return times;
         }

@@ -25,6 +25,10 @@ class Contender {
     double draw(const View&, double (*clock)());
     /// Compiles a program that counts instead of showing.
     std::optional<std::vector<Work>> count(std::span<const View>, Problems&);
+    /// The output that `settings` name; back to what it drew before. Empty, with problems, where that fails.
+    FloatImage read(const Settings&, const View&, Problems&);
+    /// Other numbers from here on: no setting that needs another program.
+    void use(const Settings& settings) { renderer_.configure(settings_ = settings); }
     const ProgramStats& program() const { return program_; }
 
   private:
@@ -36,6 +40,7 @@ class Contender {
 struct Entrant {
     Contender* contender;
     View view;
+    const Settings* settings = nullptr; ///< to be used for this turn; null: what it was made with
 };
 
 /// Seconds of each entrant in each round, once an unmeasured frame has been drawn. Only whole rounds: fewer, or none,

@@ -78,6 +78,7 @@ void addLab(CLI::App& app, Task& task) {
     lab->require_subcommand(1);
     addIntersectLab(*lab, task);
     addTraceLab(*lab, task);
+    addShadowLab(*lab, task);
 }
 
 } // namespace gnomon

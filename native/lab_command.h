@@ -46,5 +46,6 @@ void writeResults(const LabOptions&, const Results&, Problems&);
 
 void addIntersectLab(CLI::App& lab, Task& task);
 void addTraceLab(CLI::App& lab, Task& task);
+void addShadowLab(CLI::App& lab, Task& task);
 
 } // namespace gnomon

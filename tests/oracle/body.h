@@ -192,7 +192,9 @@ class Body {
         case ShapeKind::Triangle:
             return std::max<R>(length(vertices_[0]), std::max<R>(length(vertices_[1]), length(vertices_[2])));
         case ShapeKind::Plane:
-        case ShapeKind::Globe: break; // a sphere to its scene
+        case ShapeKind::Globe:      // a sphere to its scene
+        case ShapeKind::Mandelbulb: // told by their distances only
+        case ShapeKind::Solid: break;
         }
         return R(1);
     }

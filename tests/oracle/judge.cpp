@@ -37,7 +37,9 @@ Bounds boundsOf(ShapeKind kind) {
     case ShapeKind::Disc: return {0x1p-22, 1.5, 2, 1};
     case ShapeKind::Plane: return {0x1p-22, 4, 2, 1};
     case ShapeKind::Triangle: return {0x1p-22, 1.5, 2, 1};
-    case ShapeKind::Globe: break; // tests/shader/globe_test.cpp
+    case ShapeKind::Globe:      // tests/shader/globe_test.cpp
+    case ShapeKind::Mandelbulb: // have no intersector
+    case ShapeKind::Solid: break;
     }
     return {};
 }

@@ -1,8 +1,11 @@
 #include "tracer/accel/layout.h"
 
 #include "tracer/accel/block.h"
+#include "tracer/scene/solid.h"
 
 #include <algorithm>
+#include <map>
+#include <string>
 
 namespace gnomon {
 namespace {
@@ -33,18 +36,26 @@ std::vector<KindLayout> layoutOf(const Scene& scene) {
     std::vector<Shape> shapes = shapesAt(scene, 0);
     for (Shape& shape : shapes) shape = translated(shape, -origin);
     std::vector<KindLayout> layouts(kShapeKinds);
+    std::map<std::string, std::size_t> forms; // of solids: where in layouts
     for (const bool casters : {true, false})
         for (std::size_t i = 0; i < kinds.size(); ++i) {
             if (scene.objects[i].castsShadow != casters) continue;
-            KindLayout& layout = layouts[std::size_t(kinds[i])];
+            const Shape& shape = shapes[i];
+            std::size_t at = std::size_t(kinds[i]);
+            if (shape.solid) {
+                at = forms.emplace(formOf(shape.solid->root), layouts.size()).first->second;
+                if (at == layouts.size()) layouts.emplace_back();
+            }
+            KindLayout& layout = layouts[at];
             layout.kind = kinds[i];
+            layout.solid = shape.solid;
             layout.objects.push_back(int(i));
             layout.casters += casters;
         }
     layouts.erase(std::remove_if(layouts.begin(), layouts.end(), [](const auto& l) { return l.objects.empty(); }),
                   layouts.end());
     for (KindLayout& layout : layouts)
-        if (shapeRow(layout.kind).extent) separateBlock(scene, shapes, layout);
+        if (shapeRow(layout.kind).extent && !layout.solid) separateBlock(scene, shapes, layout);
     return layouts;
 }
 

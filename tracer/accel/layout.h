@@ -12,16 +12,17 @@
 namespace gnomon {
 
 struct KindLayout {
-    ShapeKind kind = ShapeKind::Sphere; ///< as drawn
-    std::vector<int> objects;           ///< indices in the scene
-    int casters = 0;                    ///< the first ones, block included, cast shadows
-    glm::ivec3 block{0};                ///< its cells; 0 where there is none
+    ShapeKind kind = ShapeKind::Sphere;   ///< as drawn
+    std::vector<int> objects;             ///< indices in the scene
+    int casters = 0;                      ///< the first ones, block included, cast shadows
+    glm::ivec3 block{0};                  ///< its cells; 0 where there is none
+    std::shared_ptr<const Solid> solid{}; ///< one of them, where they are solids: all are of one form
 
     int blockMembers() const { return block.x * block.y * block.z; }
     int loose() const { return int(objects.size()) - blockMembers(); }
 };
 
-/// The kinds present, in the order of ShapeKind.
+/// The kinds present, in the order of ShapeKind; solids of each form are a kind of their own.
 std::vector<KindLayout> layoutOf(const Scene&);
 
 } // namespace gnomon

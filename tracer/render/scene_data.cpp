@@ -2,6 +2,7 @@
 
 #include "tracer/accel/block.h"
 #include "tracer/accel/node_texels.h"
+#include "tracer/shader/solid_source.h"
 
 #include <algorithm>
 #include <cmath>
@@ -89,19 +90,18 @@ std::vector<std::pair<std::string, int>> constantsOf(const Features& features) {
     std::vector<std::pair<std::string, int>> constants;
     int texel = 0, object = 0;
     for (const KindCount& kind : features.shapes) {
-        const ShapeRow& row = shapeRow(kind.kind);
-        const std::string name = "k" + std::string(row.type);
+        const std::string name = "k" + kind.type();
         constants.insert(constants.end(), {{name + "Base", texel},
-                                           {name + "Texels", row.texels},
+                                           {name + "Texels", kind.texels()},
                                            {name + "First", object},
                                            {name + "End", object + kind.count},
                                            {name + "Count", kind.count},
                                            {name + "Casters", kind.casters}});
-        texel += row.texels * kind.count;
+        texel += kind.texels() * kind.count;
         object += kind.count;
     }
     for (const KindCount& kind : features.shapes) {
-        const std::string name = "k" + std::string(shapeRow(kind.kind).type);
+        const std::string name = "k" + kind.type();
         if (kind.blockMembers() > 0) {
             constants.insert(constants.end(), {{name + "Block", texel},
                                                {name + "BlockX", kind.block.x},
@@ -130,7 +130,8 @@ std::vector<std::pair<std::string, int>> constantsOf(const Features& features) {
 }
 
 ScenePacker::ScenePacker(const Scene& scene, glm::dvec3 origin)
-    : scene_(scene), origin_(origin), layout_(layoutOf(scene)), images_(imageSlots(scene)) {}
+    : scene_(scene), origin_(origin), layout_(layoutOf(scene)), images_(imageSlots(scene)),
+      hierarchies_(layout_.size()) {}
 
 std::span<const glm::vec4> ScenePacker::pack(const Features& features, double time, glm::dvec3 eye) {
     std::vector<Shape> shapes = shapesAbout(time);
@@ -164,6 +165,10 @@ std::vector<Shape> ScenePacker::shapesAbout(double time) const {
 void ScenePacker::packShapes(const std::vector<Shape>& shapes, glm::dvec3 eye) {
     for (const KindLayout& kind : layout_)
         for (const int i : kind.objects) {
+            if (kind.solid) {
+                appendTexels(shapes[std::size_t(i)], texels_);
+                continue;
+            }
             const Shape drawn = drawnAs(kind.kind, shapes[std::size_t(i)], eye);
             for (int k = 0; k < shapeRow(kind.kind).texels; ++k) texels_.emplace_back(drawn.texels[std::size_t(k)]);
         }
@@ -176,8 +181,7 @@ void ScenePacker::packSearches(const Features& features, const std::vector<Shape
         const auto shape = [&](std::size_t i) { return shapes[std::size_t(objects[i])]; };
         const auto members = std::size_t(kind.blockMembers());
         if (members > 0) appendTexels(kind.block, shape(0), shape(members - 1), texels_);
-        if (kind.search == Search::Hierarchy)
-            packHierarchy(hierarchies_[std::size_t(kind.kind)], objects.subspan(members), shapes, eye);
+        if (kind.search == Search::Hierarchy) packHierarchy(hierarchies_[k], objects.subspan(members), shapes, eye);
     }
 }
 

@@ -50,10 +50,10 @@ class ScenePacker {
 
     Scene scene_;
     glm::dvec3 origin_;
-    std::vector<KindLayout> layout_;  ///< layoutOf()
-    std::vector<std::string> images_; ///< imageSlots()
-    std::array<Hierarchy, kShapeKinds> hierarchies_;
-    std::vector<Bounds> bounds_; ///< of one kind; kept for its memory
+    std::vector<KindLayout> layout_;     ///< layoutOf()
+    std::vector<std::string> images_;    ///< imageSlots()
+    std::vector<Hierarchy> hierarchies_; ///< of each kind of the layout
+    std::vector<Bounds> bounds_;         ///< of one kind; kept for its memory
     std::vector<glm::vec4> texels_;
 };
 

@@ -289,7 +289,7 @@ struct RangeText {
                std::to_string(type.megapixels) + " Mi pixels";
     }
     std::string operator()(const ChoiceType& type) const {
-        if (type.names.size() > 9) return std::string(type.names.front()) + "…" + std::string(type.names.back());
+        if (type.names.size() > 12) return std::string(type.names.front()) + "…" + std::string(type.names.back());
         return join(type.names, "|");
     }
 };

@@ -1,4 +1,5 @@
-/// The table of shadow models: one row and one file shaders/shadow/KEY.glsl each ('-' in a key is '_' in the file's name).
+/// The table of shadow models: one row and one file shaders/shadow/KEY.glsl each ('-' in a key is '_' in the file's
+/// name).
 #pragma once
 
 #include <array>

@@ -1,6 +1,7 @@
 #include "tracer/scene/read_scene.h"
 
 #include "tracer/scene/object_reader.h"
+#include "tracer/scene/read_solid.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -26,7 +27,6 @@ class SceneReader {
     void readOptics(const ObjectReader&, Material&);
     std::optional<TextureUse> readTexture(const ObjectReader&, std::string_view key);
     void readObject(const ObjectReader&);
-    void readShape(const ObjectReader&, Object&);
     void readMaterialName(const ObjectReader&, Object&);
     void readName(const ObjectReader&, Object&);
     void readMotion(const ObjectReader&, Object&);
@@ -170,41 +170,13 @@ std::optional<TextureUse> SceneReader::readTexture(const ObjectReader& material,
 void SceneReader::readObject(const ObjectReader& reader) {
     Object object;
     object.line = reader.line();
-    readShape(reader, object);
+    object.shape = readShape(reader, report_);
     readName(reader, object);
     readMaterialName(reader, object);
     reader.read("casts_shadow", object.castsShadow);
     readMotion(reader, object);
     readGlow(reader, object);
     scene_.objects.push_back(std::move(object));
-}
-
-/// Packs the fields of whichever shape is there as the shape table says.
-void SceneReader::readShape(const ObjectReader& object, Object& target) {
-    for (const ShapeRow& row : shapeTable()) {
-        const auto reader = object.object(row.key);
-        if (!reader) continue;
-        Shape shape{row.kind, {}};
-        for (const ShapeField& field : row.fields) {
-            glm::dvec4* texel = &shape.texels[std::size_t(field.texel)];
-            glm::dvec3 vector{0};
-            std::array<glm::dvec3, 3> vertices{};
-            if (field.type == FieldType::Length) {
-                reader->read(field.key, (*texel)[field.component]);
-            } else if (field.type == FieldType::Vertices) {
-                reader->read(field.key, vertices);
-                for (int i = 0; i < 3; ++i) texel[i] = glm::dvec4(vertices[std::size_t(i)], 0);
-            } else {
-                reader->read(field.key, vector);
-                *texel = glm::dvec4(vector, texel->w);
-            }
-        }
-        if (reader->sound()) {
-            const auto [what, remedy] = row.check(shape);
-            if (!what.empty()) report_.add(reader->line(), reader->path(), what, remedy);
-        }
-        target.shape = shape;
-    }
 }
 
 void SceneReader::readName(const ObjectReader& object, Object& target) {

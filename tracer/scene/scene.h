@@ -75,8 +75,8 @@ struct Object {
     int line = 0;             ///< in the scene file
 };
 
-/// A sphere that shines, equally strong at every distance; a point where its radius is 0. It is itself no object: nothing
-/// is seen of it and it hides nothing.
+/// A sphere that shines, equally strong at every distance; a point where its radius is 0. It is itself no object:
+/// nothing is seen of it and it hides nothing.
 struct Light {
     glm::dvec3 position{0};
     double radius = 0;

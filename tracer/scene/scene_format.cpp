@@ -25,6 +25,13 @@ constexpr Range kGlow{1e-6, 1000};
 constexpr Range kTitle{0, 200};
 constexpr Range kDescription{0, 4000};
 constexpr Range kObjects{1, 20000};
+constexpr Range kParts{1, 64};
+constexpr Range kOffset{-1e6, 1e6};
+constexpr Range kDegrees{-360, 360};
+constexpr Range kScale{1e-3, 1e3};
+constexpr Range kPeriod{0, 1e6};
+constexpr Range kCopies{1, 1000};
+constexpr Range kCount{1, 64};
 constexpr Range kLights{0, 16};
 constexpr Range kMaterials{0, 256};
 
@@ -149,7 +156,8 @@ ValueType valueType(FieldType type) {
     switch (type) {
     case FieldType::Point: return Vector;
     case FieldType::Direction: return Direction;
-    case FieldType::Length: return Number;
+    case FieldType::Length:
+    case FieldType::Number: return Number;
     case FieldType::Lengths: return Vector;
     case FieldType::Vertices: return Vertices;
     }
@@ -163,8 +171,8 @@ const ObjectFormat& shapeFormat(const ShapeRow& row) {
             ObjectFormat& format = all.emplace_back();
             for (const ShapeField& field : shape.fields) {
                 const bool length = field.type == FieldType::Length || field.type == FieldType::Lengths;
-                format.fields.push_back(
-                    {field.key, valueType(field.type), length ? kLength : kCoordinate, field.help, true});
+                const Range range = length ? kLength : field.type == FieldType::Number ? kCount : kCoordinate;
+                format.fields.push_back({field.key, valueType(field.type), range, field.help, true});
             }
         }
         return all;
@@ -172,15 +180,68 @@ const ObjectFormat& shapeFormat(const ShapeRow& row) {
     return formats[std::size_t(row.kind)];
 }
 
+const ObjectFormat& partFormat();
+
+const ObjectFormat& offsetFormat() {
+    static const ObjectFormat format{"A body grown or shrunk all around",
+                                     {{"of", Object, kAny, "What is grown", true, &partFormat()},
+                                      {"by", Number, kOffset, "Outwards; negative: inwards", true}}};
+    return format;
+}
+
+const ObjectFormat& transformFormat() {
+    static const ObjectFormat format{
+        "A body scaled, turned and moved, in this order",
+        {{"of", Object, kAny, "What is moved", true, &partFormat()},
+         {"scale", Number, kScale, "Factor of all lengths; default 1"},
+         {"rotate", Vector, kDegrees, "Degrees about x, then y, then z; default [0, 0, 0]"},
+         {"translate", Vector, kCoordinate, "Default [0, 0, 0]"}}};
+    return format;
+}
+
+const ObjectFormat& repetitionFormat() {
+    static const ObjectFormat format{
+        "Copies of a body in rows; each must fit in the period about its place",
+        {{"of", Object, kAny, "What is repeated; it is the first copy", true, &partFormat()},
+         {"period", Vector, kPeriod, "From copy to copy along x, y and z", true},
+         {"count", Vector, kCopies, "Copies along x, y and z, whole numbers", true}}};
+    return format;
+}
+
+/// The shapes and what can be made of them, as keys of which one is given.
+void addShapes(ObjectFormat& object) {
+    Alternatives shapes{"shape", {}, true};
+    const auto add = [&](const FieldFormat& field) {
+        object.fields.push_back(field);
+        shapes.keys.push_back(field.key);
+    };
+    for (const ShapeRow& row : shapeTable()) add({row.key, Object, kAny, "The shape", false, &shapeFormat(row)});
+    add({"union", List, kParts, "All of these", false, &partFormat()});
+    add({"intersection", List, kParts, "What these have in common", false, &partFormat()});
+    add({"difference", List, kParts, "The first without the others", false, &partFormat()});
+    add({"smooth_union", List, kParts, "All of these, melted together where they meet", false, &partFormat()});
+    add({"offset", Object, kAny, "A body grown or shrunk", false, &offsetFormat()});
+    add({"transform", Object, kAny, "A body moved", false, &transformFormat()});
+    add({"repetition", Object, kAny, "Copies of a body", false, &repetitionFormat()});
+    object.alternatives.push_back(shapes);
+    object.fields.push_back({"blend", Number, kLength, "How far from a seam smooth_union still bends; default 0.25"});
+}
+
+/// A shape within a body. It refers to itself, so the schema needs its name.
+const ObjectFormat& partFormat() {
+    static ObjectFormat format{"A shape or a body", {}, {}, "part"};
+    static bool complete = false;
+    if (!complete) {
+        complete = true;
+        addShapes(format);
+    }
+    return format;
+}
+
 const ObjectFormat& objectFormat() {
     static const ObjectFormat format = [] {
-        ObjectFormat object{"One shape with its material", {}};
-        Alternatives shapes{"shape", {}, true};
-        for (const ShapeRow& row : shapeTable()) {
-            object.fields.push_back({row.key, Object, kAny, "The shape", false, &shapeFormat(row)});
-            shapes.keys.push_back(row.key);
-        }
-        object.alternatives.push_back(shapes);
+        ObjectFormat object{"One shape or body with its material", {}};
+        addShapes(object);
         for (const FieldFormat& field : {
                  FieldFormat{"name", Text, kName, "For messages and for other objects to move around; unique"},
                  FieldFormat{"material", Text, kName, "Name of a material of this file; default: a plain grey"},

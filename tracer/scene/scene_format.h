@@ -54,6 +54,7 @@ struct ObjectFormat {
     std::string_view help;
     std::vector<FieldFormat> fields;
     std::vector<Alternatives> alternatives{};
+    std::string_view name{}; ///< of a format that holds itself: the schema refers to it
 
     const FieldFormat* find(std::string_view key) const;
 };

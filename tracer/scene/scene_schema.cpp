@@ -10,6 +10,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json objectSchema(const ObjectFormat&);
+Json wholeSchema(const ObjectFormat&);
 
 Json numberSchema(Range range) { return {{"type", "number"}, {"minimum", range.min}, {"maximum", range.max}}; }
 
@@ -84,7 +85,23 @@ Json alternativesSchema(const Alternatives& group) {
     return {{"oneOf", each}};
 }
 
+/// Named formats once, under $defs; elsewhere they are referred to.
 Json objectSchema(const ObjectFormat& format) {
+    return format.name.empty() ? wholeSchema(format) : Json{{"$ref", "#/$defs/" + std::string(format.name)}};
+}
+
+/// Every named format that can be reached from `format`.
+void addDefinitions(const ObjectFormat& format, Json& definitions) {
+    for (const FieldFormat& field : format.fields) {
+        if (!field.format) continue;
+        const std::string name(field.format->name);
+        if (!name.empty() && definitions.contains(name)) continue;
+        if (!name.empty()) definitions[name] = wholeSchema(*field.format);
+        addDefinitions(*field.format, definitions);
+    }
+}
+
+Json wholeSchema(const ObjectFormat& format) {
     Json schema = {{"type", "object"}};
     if (!format.help.empty()) schema["description"] = format.help;
     Json required = Json::array();
@@ -110,6 +127,7 @@ std::string sceneSchema() {
     Json schema = {{"$schema", "https://json-schema.org/draft/2020-12/schema"}, {"title", "Gnomon scene"}};
     const Json scene = objectSchema(sceneFormat());
     for (auto member = scene.begin(); member != scene.end(); ++member) schema[member.key()] = member.value();
+    addDefinitions(sceneFormat(), schema["$defs"]);
     return schema.dump(2) + "\n";
 }
 

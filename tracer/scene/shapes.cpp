@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 
 namespace gnomon {
@@ -44,6 +45,13 @@ Complaint checkAxis(const Shape& shape) {
                 (length > 0 ? toString(glm::distance(from, to)) + " apart" : std::string("one point")) +
                 ": the shape has no axis",
             "move them at least " + toString(kShortest) + " apart"};
+}
+
+Complaint checkMandelbulb(const Shape& shape) {
+    const double power = shape.texels[1].x, iterations = shape.texels[1].y;
+    if (!(power >= 2 && power <= 16)) return {"power " + toString(power) + " is outside the limits", "use 2 to 16"};
+    if (iterations == std::floor(iterations) && iterations <= 32) return {};
+    return {"iterations " + toString(iterations) + " is no whole number up to 32", "use 1, 2, … 32"};
 }
 
 Extent about(glm::dvec3 center, glm::dvec3 reach) { return {center - reach, center + reach}; }
@@ -87,6 +95,12 @@ Extent capsuleExtent(const Shape& s) {
 Extent coneExtent(const Shape& s) {
     const glm::dvec3 from = pointOf(s, "from"), to = pointOf(s, "to");
     return hull(about(from, lengthOf(s, "radius") * circleReach(to - from)), {to, to});
+}
+
+/// The orbit of a point beyond 2^(1/(power-1)) escapes for any constant up to there.
+Extent mandelbulbExtent(const Shape& s) {
+    const double reach = std::pow(2.0, 1 / (s.texels[1].x - 1));
+    return about(pointOf(s, "center"), glm::dvec3(reach * lengthOf(s, "radius")));
 }
 
 const std::array<ShapeRow, kShapeKinds>& rows() {
@@ -134,7 +148,17 @@ const std::array<ShapeRow, kShapeKinds>& rows() {
           {"to", Point, 1, 0, "Apex"},
           {"radius", Length, 0, 3, "Radius of the base"}},
          checkAxis, coneExtent},
+        {ShapeKind::Mandelbulb, "mandelbulb", "Mandelbulb", 2,
+         {{"center", Point, 0, 0, "Centre"},
+          {"radius", Length, 0, 3, "Unit of length: the bulb of power 8 reaches about 1.2 of them"},
+          {"power", Number, 1, 0, "Power of the map, 2 to 16; 8 is the known one"},
+          {"iterations", Number, 1, 1, "How often points are mapped, 1 to 32: more show finer detail"}},
+         checkMandelbulb, mandelbulbExtent},
         {ShapeKind::Globe, "globe", "Globe", 2, {}, nothingWrong, nullptr}, // packed by globeOf()
+        {ShapeKind::Solid, "solid", "Solid", 1,
+         {{"center", Point, 0, 0, "Middle of the ball about it"},
+          {"radius", Length, 0, 3, "Radius of that ball"}},
+         nothingWrong, sphereExtent},
     }};
     // clang-format on
     return table;
@@ -173,7 +197,7 @@ Shape globeOf(const Shape& sphere, glm::dvec3 eye) {
 
 } // namespace
 
-std::span<const ShapeRow> shapeTable() { return std::span(rows()).first(kShapeKinds - 1); }
+std::span<const ShapeRow> shapeTable() { return std::span(rows()).first(kShapeKinds - 2); }
 
 const ShapeRow& shapeRow(ShapeKind kind) { return rows()[std::size_t(kind)]; }
 

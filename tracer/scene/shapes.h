@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include <array>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -15,9 +16,10 @@
 
 namespace gnomon {
 
-/// Those that scene files name, and last the one that a sphere may be drawn as.
-enum class ShapeKind { Sphere, Plane, Disc, Triangle, Torus, Box, Cylinder, Capsule, Cone, Globe };
-inline constexpr int kShapeKinds = 10;
+/// Those that scene files name, and last what they may be drawn as: a huge sphere as a globe, a body of several shapes
+/// and a Mandelbulb, which has only a distance, as a solid.
+enum class ShapeKind { Sphere, Plane, Disc, Triangle, Torus, Box, Cylinder, Capsule, Cone, Mandelbulb, Globe, Solid };
+inline constexpr int kShapeKinds = 12;
 
 /// Most texels (vec4) the geometry of one shape may take.
 inline constexpr int kMaxShapeTexels = 3;
@@ -26,6 +28,7 @@ enum class FieldType {
     Point,     ///< three coordinates, moves with the object
     Direction, ///< three numbers, not all zero; normalised on reading
     Length,    ///< one number > 0
+    Number,    ///< one number > 0 that is no length
     Lengths,   ///< three numbers > 0, along x, y and z
     Vertices,  ///< three points in one JSON array, in texels `texel`, `texel + 1`, `texel + 2`
 };
@@ -39,6 +42,7 @@ struct ShapeField {
 };
 
 struct Shape; // below
+struct Solid; // tracer/scene/solid.h
 
 /// A box along the axes.
 struct Extent {
@@ -61,6 +65,8 @@ struct ShapeRow {
 struct Shape {
     ShapeKind kind = ShapeKind::Sphere;
     std::array<glm::dvec4, kMaxShapeTexels> texels{};
+    std::shared_ptr<const Solid> solid{}; ///< of a solid; its numbers are relative to `home`
+    glm::dvec3 home{0};                   ///< where the middle of a solid rests
 };
 
 /// The rows of the shapes that scene files name, in the order of ShapeKind.

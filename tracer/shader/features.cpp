@@ -3,6 +3,7 @@
 #include "tracer/accel/hierarchy.h"
 #include "tracer/accel/layout.h"
 #include "tracer/render/scene_data.h"
+#include "tracer/shader/solid_source.h"
 
 #include <algorithm>
 
@@ -50,8 +51,11 @@ Search searchFor(const KindLayout& layout, int blockMembers, const std::vector<S
 std::vector<KindCount> countKinds(const Scene& scene, Accel accel) {
     const std::vector<Shape> shapes = shapesAt(scene, 0);
     std::vector<KindCount> kinds;
+    int forms = 0;
     for (const KindLayout& layout : layoutOf(scene)) {
-        KindCount kind{layout.kind, int(layout.objects.size()), layout.casters, glm::ivec3(0), Search::Loop};
+        KindCount kind{layout.kind, int(layout.objects.size()), layout.casters};
+        kind.solid = layout.solid;
+        if (kind.solid) kind.form = forms++;
         if (accel != Accel::None) {
             if (accel != Accel::Hierarchy) kind.block = layout.block;
             kind.search = searchFor(layout, kind.blockMembers(), shapes, accel);
@@ -79,6 +83,10 @@ void addMaterial(const Material& material, const std::vector<std::string>& image
 
 } // namespace
 
+std::string KindCount::type() const { return std::string(shapeRow(kind).type) + (solid ? std::to_string(form) : ""); }
+
+int KindCount::texels() const { return solid ? texelsOf(*solid) : shapeRow(kind).texels; }
+
 int Features::objects() const {
     int sum = 0;
     for (const KindCount& kind : shapes) sum += kind.count;
@@ -103,7 +111,11 @@ Features featuresOf(const Scene& scene, const Settings& settings, int maxBlockTe
     features.rayStack = features.refraction ? stackFor(settings.depth) : 0;
     features.cubemap = !scene.background.cubemap.empty();
     features.shadows = features.lights > 0 ? settings.shadows : ShadowModel::Off;
-    features.distances = shadowRow(features.shadows).distances;
+    features.fromLight = features.shadows != ShadowModel::Off && settings.direction == Direction::FromLight;
+    features.march = settings.march;
+    const bool solids =
+        std::any_of(features.shapes.begin(), features.shapes.end(), [](const KindCount& k) { return !!k.solid; });
+    features.distances = solids || shadowRow(features.shadows).distances;
     if (settings.glow)
         features.glows = int(std::count_if(scene.objects.begin(), scene.objects.end(),
                                            [](const Object& o) { return o.glow.has_value(); }));

@@ -23,9 +23,14 @@ struct KindCount {
     int count = 0, casters = 0;
     glm::ivec3 block{0};          ///< cells of the block that the first objects make and rays walk through; else 0
     Search search = Search::Loop; ///< for the others
+    int form = 0;                 ///< of solids: a number for each form
+    std::shared_ptr<const Solid> solid{};
 
     int blockMembers() const { return block.x * block.y * block.z; }
     int loose() const { return count - blockMembers(); }
+    /// In GLSL: Sphere, …, Solid0, Solid1, …
+    std::string type() const;
+    int texels() const; ///< of the geometry of one object
 };
 
 struct Features {
@@ -36,6 +41,8 @@ struct Features {
     bool reflection = false, refraction = false, coats = false, conductors = false;
     bool cubemap = false, linear = false;
     ShadowModel shadows = ShadowModel::Off;
+    March march = March::Cone;
+    bool fromLight = false; ///< shadow cones are marched from the light
     bool distances = false; ///< of shapes are asked for
     Aov output = Aov::Color;
     bool dataBlock = false; ///< numbers in a uniform block, else in a texture

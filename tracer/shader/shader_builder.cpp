@@ -3,11 +3,13 @@
 #include "tracer/render/scene_data.h"
 #include "tracer/shader/condition.h"
 #include "tracer/shader/library.h"
+#include "tracer/shader/solid_source.h"
 
 #include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <map>
+#include <utility>
 
 namespace gnomon {
 namespace {
@@ -25,7 +27,7 @@ std::string mapped(std::string text, int (*change)(int)) {
 
 /// How rays find the objects of a kind.
 void addSearch(const KindCount& kind, Names& names) {
-    const std::string type = mapped(std::string(shapeRow(kind.kind).type), std::toupper);
+    const std::string type = mapped(kind.type(), std::toupper);
     const bool block = kind.blockMembers() > 0, searched = block || kind.search != Search::Loop;
     names.values[type + "_SEARCH"] = int(kind.search);
     names.values[type + "_SEARCHED"] = searched;
@@ -61,6 +63,11 @@ Names namesOf(const Features& f) {
         {"SHADOWS", f.shadows != ShadowModel::Off},
         {"SHADOW_RAYS", shadowRow(f.shadows).rays},
         {"DISTANCES", f.distances},
+        {"FROM_LIGHT", f.fromLight},
+        {"MARCH", int(f.march)},
+        {"MARCH_STEPS", int(March::Steps)},
+        {"MARCH_SPHERE", int(March::Sphere)},
+        {"MARCH_CONE", int(March::Cone)},
         {"OUTPUT", int(f.output)},
         {"COLOR", int(Aov::Color)},
         {"DISTANCE", int(Aov::Distance)},
@@ -75,9 +82,12 @@ Names namesOf(const Features& f) {
     auto& shapes = names.lists["SHAPES"];
     auto& casters = names.lists["CASTERS"];
     for (const KindCount& kind : f.shapes) {
-        shapes.emplace_back(shapeRow(kind.kind).type);
-        if (kind.casters > 0) casters.emplace_back(shapeRow(kind.kind).type);
+        shapes.push_back(kind.type());
+        if (kind.casters > 0) casters.push_back(kind.type());
         addSearch(kind, names);
+        const std::string type = mapped(kind.type(), std::toupper);
+        names.values[type + "_CONVEX"] = kind.kind != ShapeKind::Torus && !kind.solid;
+        names.values[type + "_ESTIMATED"] = kind.solid && estimated(*kind.solid);
     }
     std::string model(shadowRow(f.shadows).key);
     std::replace(model.begin(), model.end(), '-', '_');
@@ -138,6 +148,10 @@ class Builder {
   public:
     Builder(const Features& features, Problems& problems, std::span<const ShaderFile> overrides = {})
         : names_(namesOf(features)), overrides_(overrides), problems_(problems) {
+        for (const KindCount& kind : features.shapes)
+            if (kind.solid)
+                solids_["primitive/" + mapped(kind.type(), std::tolower) + ".glsl"] = {
+                    kind.type(), solidSource(*kind.solid, kind.type()), false};
         for (const ShaderFile& file : overrides)
             if (!find(shaderLibrary(), file.name))
                 problem(file.name, 0, "an override of a file that the library does not have");
@@ -146,6 +160,7 @@ class Builder {
     void generate(const std::string& text) { emit(text, {"(generated)", 0}); }
 
     void include(std::string_view name, int depth = 0) {
+        if (const auto solid = solids_.find(name); solid != solids_.end()) return includeSolid(solid->second, depth);
         const ShaderFile* found = find(overrides_, name);
         if (!found) found = find(shaderLibrary(), name);
         if (!found) return problem("(generated)", 0, "there is no shader file " + std::string(name));
@@ -164,6 +179,21 @@ class Builder {
         const auto found =
             std::find_if(files.begin(), files.end(), [&](const ShaderFile& file) { return file.name == name; });
         return found == files.end() ? nullptr : &*found;
+    }
+
+    struct SolidFile {
+        std::string type, text;
+        bool included = false;
+    };
+
+    /// The field of a solid's distances is generated; what rays and shadows do with it is the same for all.
+    void includeSolid(SolidFile& solid, int depth) {
+        if (std::exchange(solid.included, true)) return;
+        const Lines field = linesOf("(generated)", solid.text);
+        process(field, 0, field.text.size(), {}, depth + 1);
+        const ShaderFile* shared = find(shaderLibrary(), "sdf/solid.glsl");
+        const Lines lines = linesOf(shared->name, shared->text);
+        process(lines, 0, lines.text.size(), {{"Shape", solid.type}}, depth + 1);
     }
 
     void process(const Lines& lines, std::size_t from, std::size_t to, const Substitutions& words, int depth) {
@@ -277,6 +307,7 @@ class Builder {
     static constexpr int kDeepest = 16;
     Names names_;
     std::span<const ShaderFile> overrides_;
+    std::map<std::string, SolidFile, std::less<>> solids_; ///< files that solids are found under
     Problems& problems_;
     ShaderSource source_;
 };

@@ -1,0 +1,173 @@
+#include "native/shadow_tables.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+namespace gnomon {
+namespace {
+
+constexpr double kLinearEpsilon = 1.0 / 30;
+constexpr std::array kVariants{ShadowModel::ConeBase, ShadowModel::ConeLinear, ShadowModel::ConeDiscrete,
+                               ShadowModel::ConeConvex};
+
+std::string nameOf(Direction direction) { return direction == Direction::FromSurface ? "A" : "B"; }
+
+double median(const std::vector<double>& seconds) { return quartilesOf(seconds).median; }
+
+/// `cone-linear 1/30 A`, `montecarlo 16`.
+std::string nameOf(const ShadowWay& way) {
+    std::string name(shadowRow(way.model).key);
+    if (way.model == ShadowModel::Montecarlo) return name + " " + std::to_string(way.samples);
+    if (!marchesCones(way.model)) return name;
+    return name + " 1/" + std::to_string(std::lround(1 / way.epsilon)) + " " + nameOf(way.direction);
+}
+
+const ShadowCost* find(const ShadowCosts& costs, const ShadowWay& way) {
+    const auto found =
+        std::find_if(costs.ways.begin(), costs.ways.end(), [&](const ShadowCost& cost) { return cost.way == way; });
+    return found == costs.ways.end() ? nullptr : &*found;
+}
+
+std::vector<Cell> rowOf(const ShadowCosts& costs, const ShadowCost& cost) {
+    const ShadowWay& way = cost.way;
+    const bool cone = marchesCones(way.model);
+    const Quartiles ratio = ratioOf(cost.seconds, costs.bare);
+    return {costs.scene,
+            costs.radius,
+            std::string(shadowRow(way.model).key),
+            cone ? Cell(nameOf(way.direction)) : Cell{},
+            cone ? Cell(way.epsilon) : Cell{},
+            way.model == ShadowModel::Montecarlo ? Cell(double(way.samples)) : Cell{},
+            1e3 * median(cost.seconds),
+            ratio.median,
+            ratio.low,
+            ratio.high,
+            cost.evaluations,
+            cost.shadowRays ? Cell(*cost.shadowRays) : Cell{},
+            cost.visibility.rmse,
+            cost.visibility.mean,
+            cost.visibility.most999,
+            cost.visibility.most,
+            cost.picture.rmse,
+            std::string(cost.front ? "yes" : "no")};
+}
+
+/// The Monte Carlo way whose time comes nearest to `seconds` without passing it; the cheapest where all take longer.
+const ShadowCost* monteCarloWithin(const ShadowCosts& costs, double seconds) {
+    const ShadowCost* best = nullptr;
+    for (const ShadowCost& cost : costs.ways) {
+        if (cost.way.model != ShadowModel::Montecarlo) continue;
+        if (!best || (median(cost.seconds) <= seconds && cost.way.samples > best->way.samples)) best = &cost;
+    }
+    return best;
+}
+
+} // namespace
+
+Table shadowTable(const std::vector<ShadowCosts>& all) {
+    Table table{"shadows", "Shadow models: cost and error", {}, {}};
+    table.columns = {{"scene", "scene", "", ""},
+                     {"radius", "light radius", "scene units", "Of all lights"},
+                     {"model", "model", "", "As --shadows says"},
+                     {"direction", "direction", "", "A: from the surface, B: from the light"},
+                     {"epsilon", "epsilon", "", "Error of the light fraction that cones may make"},
+                     {"samples", "samples", "", "Shadow rays to a light"},
+                     {"frame", "frame", "ms", "Median of the rounds"},
+                     {"ratio", "frame time", "no shadows = 1", "In the same round: median"},
+                     {"ratio_low", "frame time, lower quartile", "", "Of the rounds"},
+                     {"ratio_high", "frame time, upper quartile", "", "Of the rounds"},
+                     {"evaluations", "evaluations", "a pixel", "Of distances, for shadows: mean"},
+                     {"shadow_rays", "shadow rays", "a pixel", "Mean"},
+                     {"rmse", "error", "light fraction", "Root of the mean square, over pixels that see a surface"},
+                     {"mean", "mean error", "light fraction", "Above 0: too light"},
+                     {"error_999", "error, 99.9 %", "light fraction", "All but one pixel in a thousand are nearer"},
+                     {"error_max", "error, greatest", "light fraction", ""},
+                     {"picture", "error of the picture", "colour", "Root of the mean square of the linear colours"},
+                     {"front", "front", "", "No other way is both faster and nearer to the reference"}};
+    for (const ShadowCosts& costs : all)
+        for (const ShadowCost& cost : costs.ways) table.rows.push_back(rowOf(costs, cost));
+    return table;
+}
+
+Table variantTable(const std::vector<ShadowCosts>& all) {
+    Table table{"variants", "Variants of the cone march: frame times, no shadows = 1", {}, {}};
+    table.columns = {{"scene", "scene", "", ""},
+                     {"radius", "light radius", "scene units", ""},
+                     {"epsilon", "epsilon", "", ""},
+                     {"direction", "direction", "", "A: from the surface, B: from the light"}};
+    for (const ShadowModel model : kVariants) {
+        const std::string key(shadowRow(model).key);
+        table.columns.push_back({key, key, "", "Median of the rounds"});
+    }
+    for (const ShadowCosts& costs : all) {
+        std::set<double, std::greater<>> epsilons;
+        for (const ShadowCost& cost : costs.ways)
+            if (marchesCones(cost.way.model)) epsilons.insert(cost.way.epsilon);
+        for (const double epsilon : epsilons)
+            for (const Direction direction : {Direction::FromSurface, Direction::FromLight}) {
+                std::vector<Cell> row{costs.scene, costs.radius, epsilon, nameOf(direction)};
+                bool any = false;
+                for (const ShadowModel model : kVariants) {
+                    const ShadowCost* cost = find(costs, {model, direction, epsilon});
+                    row.push_back(cost ? Cell(ratioOf(cost->seconds, costs.bare).median) : Cell{});
+                    any |= cost != nullptr;
+                }
+                if (any) table.rows.push_back(std::move(row));
+            }
+    }
+    return table;
+}
+
+Table rivalTable(const std::vector<ShadowCosts>& all) {
+    Table table{"rivals", "Against the linear variant at epsilon 1/30, direction A", {}, {}};
+    table.columns = {{"scene", "scene", "", ""},
+                     {"radius", "light radius", "scene units", ""},
+                     {"way", "way", "", "Model with epsilon and direction, or samples"},
+                     {"time", "frame time", "linear = 1", "In the same round: median"},
+                     {"rmse", "error", "linear = 1", "Of the light fraction: root of the mean square"},
+                     {"evaluations", "evaluations", "linear = 1", "Of distances"},
+                     {"front", "front", "", "No other way is both faster and nearer to the reference"}};
+    for (const ShadowCosts& costs : all) {
+        const ShadowCost* linear = find(costs, {ShadowModel::ConeLinear, Direction::FromSurface, kLinearEpsilon});
+        if (!linear) continue;
+        const auto add = [&](const ShadowCost* cost) {
+            if (!cost) return;
+            table.rows.push_back({costs.scene, costs.radius, nameOf(cost->way),
+                                  ratioOf(cost->seconds, linear->seconds).median,
+                                  cost->visibility.rmse / linear->visibility.rmse,
+                                  cost->evaluations / linear->evaluations, std::string(cost->front ? "yes" : "no")});
+        };
+        add(find(costs, {ShadowModel::Silhouette}));
+        add(monteCarloWithin(costs, median(linear->seconds)));
+        add(find(costs, {ShadowModel::ConeBase, Direction::FromSurface, kLinearEpsilon}));
+        add(find(costs, {ShadowModel::ConeConvex, Direction::FromSurface, kLinearEpsilon}));
+        add(find(costs, {ShadowModel::Quilez}));
+    }
+    return table;
+}
+
+std::vector<Chart> shadowCharts() {
+    const Chart plane{"Speed against error: frame time (no shadows = 1) and error of the light fraction",
+                      "shadows",
+                      "ratio",
+                      {{"rmse", ""}},
+                      "model",
+                      "scene",
+                      {},
+                      true,
+                      true};
+    Chart sweep{"Frame time over epsilon, linear variant, for each light radius",
+                "shadows",
+                "epsilon",
+                {{"ratio", ""}},
+                "radius",
+                "scene",
+                {{"model", "cone-linear"}, {"direction", "A"}},
+                true,
+                false};
+    return {plane, sweep};
+}
+
+} // namespace gnomon

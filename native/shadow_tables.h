@@ -1,0 +1,19 @@
+/// What `gnomon lab shadows` measured, as tables and charts.
+#pragma once
+
+#include "native/shadow_lab.h"
+#include "tracer/lab/results.h"
+
+#include <vector>
+
+namespace gnomon {
+
+/// Every way under every light: cost, evaluations, errors.
+Table shadowTable(const std::vector<ShadowCosts>&);
+/// As the source document's tables 6.1 to 6.3: epsilon by variant and direction, frame times without shadows = 1.
+Table variantTable(const std::vector<ShadowCosts>&);
+/// The best of ours beside the source's linear variant at epsilon 1/30 and Monte Carlo at equal time.
+Table rivalTable(const std::vector<ShadowCosts>&);
+std::vector<Chart> shadowCharts();
+
+} // namespace gnomon

@@ -1,0 +1,113 @@
+// A body of a form that is told by its distances: what rays and shadows do with the generated fieldTYPE().
+//
+// intersect  nearest t in (ray.tMin, t), found by marching between where the ray enters and leaves the body's ball.
+//            frame.budget.z steps at most: what they do not reach is not met.
+//            MARCH_STEPS: equal steps of the ball, then bisection: what is thinner than a step may be missed
+//            MARCH_SPHERE: steps as long as the distance, until that is what float32 resolves of the ball
+//            MARCH_CONE: the same, until the pixel's cone, taken to widen from the eye, holds the surface
+// surface    the point pulled onto the surface along the gradient; images lie on it as on a floor, in scene units
+// gradient   of an estimate: differences over a tetrahedron of size `reach`
+// Error      t: short of the surface by what the pixel covers, or 2^-20 of the ball's radius where rays start elsewhere; the point is nearer
+// Source     J. Hart, Sphere Tracing, 1996; J. Amanatides, Ray Tracing with Cones, 1984
+struct $Shape {
+    int at;
+    vec4 ball;
+};
+
+$Shape load$Shape(int at) { return $Shape(at, sceneTexel(at)); }
+vec4 ball$Shape($Shape solid) { return solid.ball; }
+vec4 distance$Shape($Shape solid, vec3 p, vec3 from) { return field$Shape(solid.at, p - solid.ball.xyz); }
+
+vec4 marched$Shape(int at, vec3 p) {
+#if OUTPUT == STEPS
+    ++evaluations;
+#endif
+    return field$Shape(at, p);
+}
+
+bool intersect$Shape($Shape solid, Ray ray, float side, inout float t) {
+    if (side == 0.0 && passesBy(ray, solid.ball)) return false;
+    NearRay near = recentre(ray.origin, solid.ball.xyz, ray.direction);
+    float away = length(near.origin);
+    float chord = sqrt(max((solid.ball.w - away) * (solid.ball.w + away), 0.0));
+    float s = max(-chord, (ray.tMin - near.tHigh) - near.tLow);
+    float end = min(chord, (t - near.tHigh) - near.tLow);
+    float finest = 1e-6 * solid.ball.w;
+    float inside = side;
+#if MARCH == MARCH_STEPS
+    float stride = 2.0 * solid.ball.w / float(frame.budget.z);
+    float last = s;
+    bool met = false;
+    if (inside == 0.0) inside = marched$Shape(solid.at, near.origin + s * ray.direction).w < 0.0 ? -1.0 : 1.0;
+    for (int i = 0; i < frame.budget.z && !met; ++i) {
+        last = s;
+        s += stride;
+        if (last > end) return false;
+        met = inside * marched$Shape(solid.at, near.origin + s * ray.direction).w < 0.0;
+    }
+    if (!met) return false;
+    for (int i = 0; i < 24; ++i) {
+        float middle = 0.5 * (last + s);
+        if (inside * marched$Shape(solid.at, near.origin + middle * ray.direction).w < 0.0) s = middle;
+        else last = middle;
+    }
+#else
+    bool met = false;
+#if $SHAPE_ESTIMATED
+    float before = side == 0.0 ? 1e30 : -1.0; // at its start a ray touches the surface that it leaves
+#endif
+    for (int i = 0; i < frame.budget.z && !met; ++i) {
+        if (s > end) return false;
+        vec4 field = marched$Shape(solid.at, near.origin + s * ray.direction);
+        if (inside == 0.0) inside = field.w < 0.0 ? -1.0 : 1.0;
+        float free = inside * field.w;
+        float enough = finest;
+#if MARCH == MARCH_CONE
+        enough = max(enough, 0.5 * frame.cone.x * (near.tHigh + (near.tLow + s)));
+#endif
+        // What the ray recedes from, as the surface that it leaves, it does not meet.
+#if $SHAPE_ESTIMATED
+        met = free < enough && free <= before;
+        before = free;
+#else
+        met = free < enough && inside * dot(field.xyz, ray.direction) < 0.0;
+#endif
+        if (!met) s += max(free, enough);
+    }
+    if (!met) return false;
+#endif
+    if (s > end) return false;
+    t = near.tHigh + (near.tLow + s);
+    return true;
+}
+
+vec3 gradient$Shape(int at, vec3 p, float reach) {
+#if $SHAPE_ESTIMATED
+    vec2 e = vec2(reach, -reach);
+    return e.xyy * field$Shape(at, p + e.xyy).w + e.yyx * field$Shape(at, p + e.yyx).w + e.yxy * field$Shape(at, p + e.yxy).w +
+           e.xxx * field$Shape(at, p + e.xxx).w;
+#else
+    return field$Shape(at, p).xyz;
+#endif
+}
+
+Surface surface$Shape($Shape solid, Ray ray, float t) {
+    NearRay near = recentre(ray.origin, solid.ball.xyz, ray.direction);
+    vec3 p = near.origin + ((t - near.tHigh) - near.tLow) * ray.direction;
+    float free = field$Shape(solid.at, p).w;
+    vec3 gradient = gradient$Shape(solid.at, p, max(0.25 * frame.cone.x * t, 1e-4 * solid.ball.w));
+    float steep = length(gradient);
+    vec3 normal = steep > 1e-30 ? gradient / steep : -ray.direction;
+    p -= free * normal;
+    // A cone that grazes a silhouette ends beside what is turned away already: it sees the rim.
+    float away = dot(normal, ray.direction);
+    if (free >= 0.0 ? away > 0.0 : away < 0.0) normal = normalize(normal - 1.001 * away * ray.direction);
+    Surface surface = bareSurface(solid.ball.xyz + p, normal, 0.0);
+#if IMAGES
+    surface.uv = p.xz;
+    surface.uvPerUnit = vec2(1.0);
+    vec3 axis = abs(normal.x) < 0.9 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 0.0, -1.0);
+    surface.tangent = normalize(axis - dot(axis, normal) * normal);
+#endif
+    return surface;
+}

@@ -1,0 +1,24 @@
+// As quilez, with the nearest point between two steps estimated from both: fewer bands.
+//
+// Source  S. Aaltonen, GPU-based clay simulation and ray-tracing tech in Claybook, GDC 2018
+#include "shadow/cone.glsl"
+
+float visibility(Beam beam) {
+    Cone cone = coneOf(beam);
+    float slope = discSlope(beam.distance, beam.lightRadius);
+    float least = 1.0;
+    float before = 1e20;
+    float t = cone.radius;
+    for (int i = 0; i < frame.budget.x; ++i) {
+        float free = coneDistance(cone, t);
+        float back = free * free / (2.0 * before);
+        if (free >= before) back = 0.0; // what recedes was nearest before
+        float nearer = sqrt(max(free * free - back * back, 0.0));
+        least = min(least, nearer / (cone.radius + max(t - back, 0.0) * slope));
+        if (free < 0.1 * frame.options.y * (cone.radius + t * slope)) return 0.0;
+        before = free;
+        t += free;
+        if (t >= cone.length) break;
+    }
+    return clamp(least, 0.0, 1.0);
+}

@@ -1,0 +1,41 @@
+// The cone between a surface point and a light, and the share of the light that distances measured along it leave.
+//
+// Cone        axis from the centre of the surface sphere to that of the light; it touches both spheres (its radii are those
+//             of the discs where it does so, measured across the axis)
+// coneRadius  at t along the axis
+// shareOf     tau: the part of a unit disc that a half plane at signed distance r from its middle leaves, -1: none, 1: all
+// Model       what stands in the way is a half plane, and of several things the nearest to the axis alone counts: the share
+//             is shareOf(least of distance / radius). Pointed, several and thin occluders break that; so do wide lights,
+//             since a cone that touches the surface at its start finds cos(alpha) there instead of 1
+// Source      the source document of one-ray soft shadows; docs/shadows.md
+#include "sdf/scene.glsl"
+
+struct Cone {
+    vec3 start;
+    vec3 axis;
+    float length;
+    float radius;
+    float slope;
+};
+
+// The surface sphere touches the surface and has the pixel's radius, at least what float32 resolves of the coordinates.
+Cone coneOf(Beam beam) {
+    vec3 size = abs(beam.ray.origin);
+    float r0 = max(beam.pixelRadius, 4e-6 * (max(size.x, max(size.y, size.z)) + 1e-3));
+    vec3 start = beam.ray.origin + r0 * beam.normal;
+    vec3 toLight = beam.ray.origin + beam.distance * beam.ray.direction - start;
+    float distance = max(length(toLight), 1e-20);
+    float sine = clamp((beam.lightRadius - r0) / distance, -0.999, 0.999);
+    float secant = inversesqrt(1.0 - sine * sine);
+    return Cone(start, toLight / distance, distance, r0 * secant, sine * secant);
+}
+
+// Never quite 0: towards a light without size the cone ends in a point.
+float coneRadius(Cone cone, float t) { return max(cone.radius + t * cone.slope, 1e-6 * cone.radius); }
+
+float shareOf(float r) {
+    r = clamp(r, -1.0, 1.0);
+    return 0.5 + (r * sqrt(1.0 - r * r) + asin(r)) / 3.14159265358979;
+}
+
+float coneDistance(Cone cone, float t) { return sceneDistance(cone.start + t * cone.axis, cone.start).w; }

@@ -1,0 +1,8 @@
+// Cone march with equal steps of the relative radius: the share is worked out once, at the end.
+#include "shadow/cone.glsl"
+#include "shadow/linear.glsl"
+
+float met(float relative, float marched) { return relative; }
+#include "shadow/march.glsl"
+
+float visibility(Beam beam) { return shareOf(nearestAlong(coneOf(beam))); }

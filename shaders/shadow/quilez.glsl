@@ -1,0 +1,21 @@
+// Soft shadow of one sphere trace to the light's centre: the least of distance over the light's cone, 0 where it is met. Takes
+// the inner half of the penumbra for full shadow.
+//
+// Source  I. Quilez, Free penumbra shadows for raymarching distance fields, 2010
+#include "shadow/cone.glsl"
+
+float visibility(Beam beam) {
+    Cone cone = coneOf(beam);
+    float slope = discSlope(beam.distance, beam.lightRadius);
+    float least = 1.0;
+    float t = cone.radius;
+    for (int i = 0; i < frame.budget.x; ++i) {
+        float free = coneDistance(cone, t);
+        float wide = cone.radius + t * slope;
+        least = min(least, free / wide);
+        if (least < frame.options.y * 0.1) return 0.0;
+        t += free;
+        if (t >= cone.length) break;
+    }
+    return clamp(least, 0.0, 1.0);
+}

@@ -1,0 +1,132 @@
+#include "tracer/scene/read_solid.h"
+
+#include "tracer/scene/solid.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon {
+namespace {
+
+constexpr int kMostParts = 64; ///< of a body: each is code in the shader
+
+/// Packs the fields of an analytic shape as the shape table says.
+Shape readFields(const ObjectReader& reader, const ShapeRow& row, SceneReport& report) {
+    Shape shape{row.kind, {}};
+    for (const ShapeField& field : row.fields) {
+        glm::dvec4* texel = &shape.texels[std::size_t(field.texel)];
+        glm::dvec3 vector{0};
+        std::array<glm::dvec3, 3> vertices{};
+        if (field.type == FieldType::Length || field.type == FieldType::Number) {
+            reader.read(field.key, (*texel)[field.component]);
+        } else if (field.type == FieldType::Vertices) {
+            reader.read(field.key, vertices);
+            for (int i = 0; i < 3; ++i) texel[i] = glm::dvec4(vertices[std::size_t(i)], 0);
+        } else {
+            reader.read(field.key, vector);
+            *texel = glm::dvec4(vector, texel->w);
+        }
+    }
+    if (reader.sound()) {
+        const auto [what, remedy] = row.check(shape);
+        if (!what.empty()) report.add(reader.line(), reader.path(), what, remedy);
+    }
+    return shape;
+}
+
+SolidNode readNode(const ObjectReader&, SceneReport&);
+
+/// What stands under "of".
+std::vector<SolidNode> readInner(const ObjectReader& reader, SceneReport& report) {
+    std::vector<SolidNode> of;
+    if (const auto inner = reader.object("of")) of.push_back(readNode(*inner, report));
+    return of;
+}
+
+void readRotation(const ObjectReader& reader, SolidNode& node) {
+    glm::dvec3 degrees{0};
+    if (!reader.read("rotate", degrees)) return;
+    const auto turn = [&](int axis) {
+        glm::dvec3 about{0};
+        about[axis] = 1;
+        return glm::angleAxis(glm::radians(degrees[axis]), about);
+    };
+    node.rotate = turn(2) * turn(1) * turn(0);
+}
+
+void readCopies(const ObjectReader& reader, SolidNode& node, SceneReport& report) {
+    reader.read("period", node.period);
+    reader.read("count", node.count);
+    if (!reader.sound()) return;
+    for (int i = 0; i < 3; ++i) {
+        if (node.count[i] != std::floor(node.count[i]))
+            return report.add(reader.lineOf("count"), reader.pathOf("count"), "copies are counted in whole numbers",
+                              "use 1, 2, 3, …");
+        if (node.count[i] > 1 && !(node.period[i] > 0))
+            return report.add(reader.lineOf("period"), reader.pathOf("period"),
+                              "copies along an axis need a period above 0", "give the distance from copy to copy");
+    }
+}
+
+SolidNode readOperation(const ObjectReader& object, SolidOp op, SceneReport& report) {
+    const std::string_view key = kSolidKeys[std::size_t(op)];
+    SolidNode node;
+    node.op = op;
+    if (op < SolidOp::Offset) {
+        for (const auto& member : object.members(key)) node.of.push_back(readNode(object.open(key, member), report));
+        node.amount = 0.25;
+        object.read("blend", node.amount);
+        return node;
+    }
+    const auto reader = object.object(key);
+    node.of = readInner(*reader, report);
+    switch (op) {
+    case SolidOp::Offset: reader->read("by", node.amount); break;
+    case SolidOp::Transform:
+        reader->read("translate", node.translate);
+        readRotation(*reader, node);
+        reader->read("scale", node.scale);
+        break;
+    default: readCopies(*reader, node, report); break;
+    }
+    return node;
+}
+
+SolidNode readNode(const ObjectReader& object, SceneReport& report) {
+    for (const ShapeRow& row : shapeTable())
+        if (const auto reader = object.object(row.key)) return {SolidOp::Shape, readFields(*reader, row, report)};
+    for (std::size_t op = 1; op < kSolidKeys.size(); ++op)
+        if (object.has(kSolidKeys[op])) return readOperation(object, SolidOp(op), report);
+    return {};
+}
+
+int partsOf(const SolidNode& node) {
+    int parts = 1;
+    for (const SolidNode& part : node.of) parts += partsOf(part);
+    return parts;
+}
+
+/// Whether every operation got what it works on; where one did not, that has been reported.
+bool complete(const SolidNode& node) {
+    if (node.op != SolidOp::Shape && node.of.empty()) return false;
+    return std::all_of(node.of.begin(), node.of.end(), complete);
+}
+
+} // namespace
+
+Shape readShape(const ObjectReader& object, SceneReport& report) {
+    const SolidNode node = readNode(object, report);
+    const bool analytic = node.op == SolidOp::Shape && node.shape.kind != ShapeKind::Mandelbulb;
+    if (analytic || !object.sound() || !complete(node)) return node.shape;
+    if (const int parts = partsOf(node); parts > kMostParts) {
+        report.add(object.line(), object.path(), "a body of " + std::to_string(parts) + " parts",
+                   "use at most " + std::to_string(kMostParts) + ", or several objects");
+        return {};
+    }
+    if (auto shape = shapeOf(node)) return *shape;
+    report.add(object.line(), object.path(), "the body has no end",
+               "intersect its plane with something that has, or make the plane an object of its own");
+    return {};
+}
+
+} // namespace gnomon

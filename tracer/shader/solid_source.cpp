@@ -1,0 +1,168 @@
+#include "tracer/shader/solid_source.h"
+
+#include <algorithm>
+#include <set>
+
+namespace gnomon {
+namespace {
+
+/// Texels of a node itself, without its parts.
+int ownTexels(const SolidNode& node) {
+    switch (node.op) {
+    case SolidOp::Shape: return shapeRow(node.shape.kind).texels;
+    case SolidOp::SmoothUnion:
+    case SolidOp::Offset: return 1;
+    case SolidOp::Transform: return 2;
+    case SolidOp::Repetition: return 3;
+    default: return 0;
+    }
+}
+
+int texelsBelow(const SolidNode& node) {
+    int texels = ownTexels(node);
+    for (const SolidNode& part : node.of) texels += texelsBelow(part);
+    return texels;
+}
+
+/// `home` is what the node's coordinates become relative to.
+void append(const SolidNode& node, glm::dvec3 home, std::vector<glm::vec4>& out) {
+    switch (node.op) {
+    case SolidOp::Shape: {
+        const Shape shape = translated(node.shape, -home);
+        for (int i = 0; i < shapeRow(shape.kind).texels; ++i) out.emplace_back(shape.texels[std::size_t(i)]);
+        break;
+    }
+    case SolidOp::SmoothUnion:
+    case SolidOp::Offset: out.emplace_back(glm::vec4(float(node.amount), 0, 0, 0)); break;
+    case SolidOp::Transform:
+        out.emplace_back(node.rotate.x, node.rotate.y, node.rotate.z, node.rotate.w);
+        out.emplace_back(glm::dvec4(node.translate - home, node.scale));
+        home = glm::dvec3(0);
+        break;
+    case SolidOp::Repetition: {
+        // Copies are told from the middle of the first, so that the nearest one is found by rounding.
+        const Extent first = extentOf(node.of[0]).value();
+        const glm::dvec3 middle = 0.5 * (first.low + first.high);
+        out.emplace_back(glm::dvec4(node.period, 0));
+        out.emplace_back(glm::dvec4(node.count, 0));
+        out.emplace_back(glm::dvec4(middle - home, 0));
+        home = middle;
+        break;
+    }
+    default: break;
+    }
+    for (const SolidNode& part : node.of) append(part, home, out);
+}
+
+std::string_view joinOf(SolidOp op) {
+    switch (op) {
+    case SolidOp::Union: return "unite";
+    case SolidOp::Intersection: return "intersect";
+    case SolidOp::Difference: return "subtract";
+    default: return "melt";
+    }
+}
+
+/// Writes the code of a tree: variables p0, p1, … for points and d0, d1, … for distances with their gradients.
+class Writer {
+  public:
+    /// The variable that holds what the node is at `point`.
+    std::string write(const SolidNode& node, const std::string& point) {
+        const int own = texel_;
+        texel_ += ownTexels(node);
+        const std::string distance = "d" + std::to_string(next_++);
+        switch (node.op) {
+        case SolidOp::Shape: writeShape(node, own, point, distance); break;
+        case SolidOp::Offset:
+            line("vec4 " + distance + " = " + write(node.of[0], point) + ";");
+            line(distance + ".w -= " + texel(own) + ".x;");
+            break;
+        case SolidOp::Transform: writeTransform(node, own, point, distance); break;
+        case SolidOp::Repetition: writeCopies(node, own, point, distance); break;
+        default: writeMany(node, own, point, distance); break;
+        }
+        return distance;
+    }
+
+    const std::string& code() const { return code_; }
+
+  private:
+    static std::string texel(int i) { return "sceneTexel(at + " + std::to_string(i) + ")"; }
+    void line(const std::string& text) { code_ += "    " + text + "\n"; }
+
+    void writeShape(const SolidNode& node, int own, const std::string& point, const std::string& distance) {
+        const std::string type(shapeRow(node.shape.kind).type);
+        line("vec4 " + distance + " = distance" + type + "(load" + type + "(at + " + std::to_string(own) + "), " +
+             point + ", vec3(0.0));");
+    }
+
+    void writeMany(const SolidNode& node, int own, const std::string& point, const std::string& distance) {
+        std::string all = write(node.of[0], point);
+        for (std::size_t i = 1; i < node.of.size(); ++i) {
+            const std::string part = write(node.of[i], point);
+            const std::string bend = node.op == SolidOp::SmoothUnion ? ", " + texel(own) + ".x" : "";
+            line(all + " = " + std::string(joinOf(node.op)) + "(" + all + ", " + part + bend + ");");
+        }
+        line("vec4 " + distance + " = " + all + ";");
+    }
+
+    void writeTransform(const SolidNode& node, int own, const std::string& point, const std::string& distance) {
+        const std::string inner = "p" + distance.substr(1);
+        line("vec3 " + inner + " = unplaced(" + point + ", " + texel(own) + ", " + texel(own + 1) + ");");
+        line("vec4 " + distance + " = placed(" + write(node.of[0], inner) + ", " + texel(own) + ", " + texel(own + 1) +
+             ".w);");
+    }
+
+    /// Along each axis that repeats, the two copies whose places are nearest to the point.
+    void writeCopies(const SolidNode& node, int own, const std::string& point, const std::string& distance) {
+        const std::string inner = "p" + distance.substr(1), copy = "i" + distance.substr(1);
+        std::string axes;
+        int copies = 1;
+        for (int i = 0; i < 3; ++i) {
+            axes += (i ? ", " : "") + std::to_string(node.count[i] > 1 ? copies : 0);
+            if (node.count[i] > 1) copies *= 2;
+        }
+        line("vec4 " + distance + " = kNothing;");
+        line("for (int " + copy + " = 0; " + copy + " < " + std::to_string(copies) + "; ++" + copy + ") {");
+        line("vec3 " + inner + " = inCopy(" + point + " - " + texel(own + 2) + ".xyz, " + texel(own) + ".xyz, " +
+             texel(own + 1) + ".xyz, " + copy + ", ivec3(" + axes + "));");
+        const std::string part = write(node.of[0], inner);
+        line(distance + " = unite(" + distance + ", " + part + ");");
+        line("}");
+    }
+
+    int texel_ = 1, next_ = 0;
+    std::string code_;
+};
+
+void collectKinds(const SolidNode& node, std::set<ShapeKind>& kinds) {
+    if (node.op == SolidOp::Shape) kinds.insert(node.shape.kind);
+    for (const SolidNode& part : node.of) collectKinds(part, kinds);
+}
+
+} // namespace
+
+int texelsOf(const Solid& solid) { return 1 + texelsBelow(solid.root); }
+
+void appendTexels(const Shape& shape, std::vector<glm::vec4>& out) {
+    out.emplace_back(shape.texels[0]);
+    append(shape.solid->root, shape.home, out);
+}
+
+bool estimated(const Solid& solid) {
+    std::set<ShapeKind> kinds;
+    collectKinds(solid.root, kinds);
+    return kinds.contains(ShapeKind::Mandelbulb);
+}
+
+std::string solidSource(const Solid& solid, const std::string& type) {
+    std::set<ShapeKind> kinds;
+    collectKinds(solid.root, kinds);
+    std::string text = "#include \"sdf/operators.glsl\"\n";
+    for (const ShapeKind kind : kinds) text += "#include \"primitive/" + std::string(shapeRow(kind).key) + ".glsl\"\n";
+    Writer writer;
+    const std::string root = writer.write(solid.root, "p");
+    return text + "vec4 field" + type + "(int at, vec3 p) {\n" + writer.code() + "    return " + root + ";\n}\n";
+}
+
+} // namespace gnomon
