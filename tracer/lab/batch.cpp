@@ -61,7 +61,8 @@ std::unique_ptr<Batch> Batch::make(const BatchPass& pass, const Scene& scene, Pr
     const gl::Info info = gl::info();
     Settings settings;
     settings.data = DataPath::Block;
-    const Features features = featuresOf(scene, settings, 0, info.essl300);
+    Features features = featuresOf(scene, settings, 0, info.essl300);
+    features.distances = pass.distances;
     Problems faults;
     const ShaderSource source = buildShader(pass.file, features, faults, overrides);
     auto impl = std::make_unique<Impl>();

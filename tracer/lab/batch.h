@@ -18,6 +18,7 @@ struct BatchPass {
     const char* file = "";           ///< its entry point, as `pass/intersect.frag`
     std::vector<const char*> inputs; ///< samplers
     int outputs = 1;
+    bool distances = false; ///< Features::distances
 };
 
 class Batch {
