@@ -1,10 +1,11 @@
 // What the shapes about an axis share: the axis between two points, and a ray seen from it.
 //
-// axialRay  the ray re-centred on the middle of the axis and split into its parts along and across it
-// onAxis    the point of the world at an offset from the middle
-// around    unit direction from the axis to a point; any where the point lies on the axis
-// Error     parts across: 2^-23 of the distance from the middle of the axis
-// Limits    the two points differ
+// axialRay    the ray re-centred on the middle of the axis and split into its parts along and across it
+// onAxis      the point of the world at an offset from the middle
+// axialPoint  a point's parts along and across it, from the middle
+// around      unit direction from the axis to a point; any where the point lies on the axis
+// Error       parts across: 2^-23 of the distance from the middle of the axis
+// Limits      the two points differ
 #include "primitive/convex.glsl"
 
 struct Axis {
@@ -38,6 +39,21 @@ AxialRay axialRay(Axis axis, Ray ray) {
     return AxialRay(near, near.origin - along * axis.along, ray.direction - alongStep * axis.along, along, alongStep);
 }
 
+#if DISTANCES
+struct AxialPoint {
+    vec3 across;
+    float away; // its length
+    float along;
+};
+
+AxialPoint axialPoint(Axis axis, vec3 p) {
+    vec3 offset = (p - axis.from) - axis.toMiddle;
+    float along = dot(offset, axis.along);
+    vec3 across = offset - along * axis.along;
+    return AxialPoint(across, length(across), along);
+}
+#endif
+
 // The world axis least along the shape's, laid across it; +x wherever the axis is not mostly x.
 vec3 firstAcross(Axis axis) {
     vec3 first = abs(axis.along.x) < 0.9 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 0.0, -1.0);
@@ -47,7 +63,7 @@ vec3 firstAcross(Axis axis) {
 vec3 around(Axis axis, vec3 across) {
     across -= dot(across, axis.along) * axis.along; // what rounding left along the axis counts close to it
     float away = length(across);
-    return away > 0.0 ? across / away : firstAcross(axis);
+    return away > 1e-15 ? across / away : firstAcross(axis); // squares of shorter ones leave float32
 }
 
 // A flat end: the point at +-halfLength (`top`) of the axis, kept within the radius.

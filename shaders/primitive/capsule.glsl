@@ -1,10 +1,12 @@
 // Capsule: the points within `radius` of the stretch from one point to another.
 //
 // ballCapsule       about the middle of the axis
+// distanceCapsule   gradient and signed distance; on the axis a fixed direction across it
 // intersectCapsule  nearest t in (ray.tMin, t); from inside the far side
 // surfaceCapsule    point put back to `radius` from the stretch; u runs once around, v from the tip at `to` to that at `from`
 // Error             band 2^-22 size, ray 2 ulp, point 2 and normal 2 roundings, as docs/numerics.md names them
-//                   (tests/shader/intersect_test.cpp)
+//                   (tests/shader/intersect_test.cpp); distance 2 roundings, gradient 2 (tests/shader/distance_test.cpp;
+//                   measured 1.7 and 1.1)
 // Source            ray re-centred on the middle (ray/split.glsl), then the hull of the spans of its two spheres and of the
 //                   cylinder between them (primitive/convex.glsl)
 // Limits            radius > 0; from and to differ
@@ -21,6 +23,18 @@ Capsule loadCapsule(int at) {
 }
 
 vec4 ballCapsule(Capsule capsule) { return vec4(onAxis(capsule.axis, vec3(0.0)), capsule.axis.halfLength + capsule.radius); }
+
+#if DISTANCES
+#include "sdf/away.glsl"
+
+vec4 distanceCapsule(Capsule capsule, vec3 p, vec3 from) {
+    Axis axis = capsule.axis;
+    vec3 offset = (p - axis.from) - axis.toMiddle;
+    offset -= clamp(dot(offset, axis.along), -axis.halfLength, axis.halfLength) * axis.along;
+    float away = length(offset);
+    return vec4(awayFrom(offset, away, firstAcross(axis)), away - capsule.radius);
+}
+#endif
 
 vec2 capsuleSpan(Capsule capsule, AxialRay local, vec3 direction) {
     vec3 tip = capsule.axis.halfLength * capsule.axis.along;

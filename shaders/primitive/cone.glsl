@@ -1,11 +1,13 @@
 // Cone: a round body that narrows from `radius` about one point, its base, to nothing at another, its apex.
 //
 // ballCone       about the middle of the axis
+// distanceCone   gradient and signed distance; on the axis, where the side is nearest, the way around() names
 // intersectCone  nearest t in (ray.tMin, t); from inside the far side
 // surfaceCone    point put back onto side or base; u runs once around, v from 0 at the apex to 1 at the base; the base shows
 //                uv 0 … 1 over the square about it
 // Error          band 2^-21 size, ray 2 ulp, point 2 and normal 2 roundings, as docs/numerics.md names them
-//                (tests/shader/intersect_test.cpp)
+//                (tests/shader/intersect_test.cpp); distance 3 roundings, gradient 2 (tests/shader/distance_test.cpp;
+//                measured 2.6 and 1.6)
 // Source         ray re-centred on the middle (ray/split.glsl). With w below the apex, x across the axis (x1 along the ray's
 //                own way across, x2 beside it) and the half angle's sine S and cosine C the side is C²x² - S²w² = 0, along
 //                the ray a s² + 2 b s + c. Its discriminant is C²(S²h² - a x2²) with h the ray's moment about the apex in
@@ -28,6 +30,29 @@ vec4 ballCone(Cone cone) { return vec4(onAxis(cone.axis, vec3(0.0)), length(vec2
 
 // Sine and cosine of the angle between axis and side.
 vec2 coneAngle(Cone cone) { return normalize(vec2(cone.radius, 2.0 * cone.axis.halfLength)); }
+
+#if DISTANCES
+#include "sdf/away.glsl"
+
+vec4 distanceCone(Cone cone, vec3 p, vec3 from) {
+    AxialPoint local = axialPoint(cone.axis, p);
+    vec2 angle = coneAngle(cone);
+    vec2 outward = angle.yx;             // of the side, in the half plane of the axis
+    vec2 upward = vec2(-angle.x, angle.y); // along the side, from the rim to the apex
+    vec2 fromRim = vec2(local.away - cone.radius, local.along + cone.axis.halfLength);
+    float above = dot(fromRim, outward);
+    float up = dot(fromRim, upward);
+    float past = up - clamp(up, 0.0, length(vec2(cone.radius, 2.0 * cone.axis.halfLength)));
+    bool under = fromRim.y < 0.0;
+    bool inside = !under && above <= 0.0;
+    vec2 apart = under ? vec2(max(fromRim.x, 0.0), fromRim.y) : above * outward + past * upward;
+    float away = length(apart);
+    vec2 inner = above > -fromRim.y ? outward : vec2(0.0, -1.0);
+    vec2 nearest = inside ? inner : awayFrom(apart, away, inner);
+    vec3 gradient = nearest.x * around(cone.axis, local.across) + nearest.y * cone.axis.along;
+    return vec4(gradient, inside ? max(above, -fromRim.y) : away);
+}
+#endif
 
 // Within the side, without its ends: of the nappe about the base where the ray meets both. Solved about the ray's closest
 // approach to the apex: near the apex the squares of farther points would drown it.

@@ -1,11 +1,13 @@
 // Cylinder: the points within `radius` of the line from one point to another, between the two planes across its ends.
 //
 // ballCylinder       about the middle of the axis
+// distanceCylinder   gradient and signed distance; on the axis, where the side is nearest, the way around() names
 // intersectCylinder  nearest t in (ray.tMin, t); from inside the far side
 // surfaceCylinder    point put back onto side or end; u runs once around, v from 0 at `to` to 1 at `from`; each end shows
 //                    uv 0 … 1 over the square about it
 // Error              band 2^-22 size, ray 1.5 ulp, point 2 and normal 2 roundings, as docs/numerics.md names them
-//                    (tests/shader/intersect_test.cpp)
+//                    (tests/shader/intersect_test.cpp); distance 2.5 roundings, gradient 2 (tests/shader/distance_test.cpp;
+//                    measured 2.2 and 1.1)
 // Source             ray re-centred on the middle (ray/split.glsl), then the common part of a round span across the axis and
 //                    a slab along it (primitive/convex.glsl)
 // Limits             radius > 0; from and to differ
@@ -22,6 +24,21 @@ Cylinder loadCylinder(int at) {
 }
 
 vec4 ballCylinder(Cylinder cylinder) { return vec4(onAxis(cylinder.axis, vec3(0.0)), length(vec2(cylinder.axis.halfLength, cylinder.radius))); }
+
+#if DISTANCES
+#include "sdf/away.glsl"
+
+vec4 distanceCylinder(Cylinder cylinder, vec3 p, vec3 from) {
+    AxialPoint local = axialPoint(cylinder.axis, p);
+    float top = local.along < 0.0 ? -1.0 : 1.0;
+    vec2 beyond = vec2(local.away - cylinder.radius, abs(local.along) - cylinder.axis.halfLength);
+    vec2 outside = max(beyond, 0.0);
+    float away = length(outside);
+    vec2 nearest = awayFrom(outside, away, beyond.x > beyond.y ? vec2(1.0, 0.0) : vec2(0.0, 1.0));
+    vec3 gradient = nearest.x * around(cylinder.axis, local.across) + top * nearest.y * cylinder.axis.along;
+    return vec4(gradient, away + min(max(beyond.x, beyond.y), 0.0));
+}
+#endif
 
 bool intersectCylinder(Cylinder cylinder, Ray ray, float side, inout float t) {
     if (side > 0.0) return false; // convex: what leaves it never comes back

@@ -1,10 +1,12 @@
 // Disc: the points of a plane within `radius` of `center`.
 //
 // ballDisc       about its centre
+// distanceDisc   gradient and distance, without a sign: a disc has no inside; on it the normal
 // intersectDisc  t of the plane in (ray.tMin, t) where it lies within the radius
 // surfaceDisc    the point put back onto the plane; uv as in planar.glsl
 // Error          band 2^-22 radius, ray 1.5 ulp, point 2 and normal 1 roundings, as docs/numerics.md names them
-//                (tests/shader/intersect_test.cpp)
+//                (tests/shader/intersect_test.cpp); distance 2 roundings, gradient 2 (tests/shader/distance_test.cpp;
+//                measured 1.7 and 1.0)
 // Source         ray re-centred on the disc (ray/split.glsl), then the plane through its centre
 // Limits         normal is unit; radius > 0; a ray in the plane misses: edge-on a disc has no area
 #include "primitive/planar.glsl"
@@ -21,6 +23,21 @@ Disc loadDisc(int at) {
 }
 
 vec4 ballDisc(Disc disc) { return vec4(disc.center, disc.radius); }
+
+#if DISTANCES
+#include "sdf/away.glsl"
+
+vec4 distanceDisc(Disc disc, vec3 p, vec3 from) {
+    vec3 offset = p - disc.center;
+    float above = dot(offset, disc.normal);
+    vec3 across = offset - above * disc.normal;
+    float away = length(across);
+    float beyond = max(away - disc.radius, 0.0);
+    float least = length(vec2(above, beyond));
+    vec3 fromRim = above * disc.normal + beyond * awayFrom(across, away, vec3(0.0));
+    return vec4(awayFrom(fromRim, least, disc.normal), least);
+}
+#endif
 
 // Where the ray meets the disc's plane, relative to its centre.
 vec3 discOffset(Disc disc, Ray ray, out float t) {

@@ -1,11 +1,13 @@
 // Globe: a sphere that is huge beside what is seen of it, as the ground under things. Scene files say "sphere"; one that is
 // huge for its scene is drawn as this (drawnKinds() in tracer/scene/scene.h).
 //
+// distanceGlobe   gradient and signed distance; about the centre some direction
 // intersectGlobe  nearest t in (ray.tMin, t); from inside the far side
 // surfaceGlobe    point put back onto the surface by one Newton step; uv = longitude, latitude, as of a sphere
 // Error           E = 2^-22 D (1 + D / 2r), D being the distance from the anchor: t: 1 ulp of the distance + E / cosine;
 //                 edge decisions wrong only within E of tangency, D that of the tangent point; surface point within E of
-//                 the surface, before it is rounded to its own coordinates (measured, tests/shader/globe_test.cpp)
+//                 the surface, before it is rounded to its own coordinates (measured, tests/shader/globe_test.cpp);
+//                 distance 1.75 E, gradient 2 roundings (tests/shader/distance_test.cpp; measured 1.5 and 0.7)
 // Source          a sphere is a bent plane: about an anchor near the surface, under the eye, its points p have
 //                 curvature p.p / 2 + normal.p + height = 0, whose terms are as small as what is near the anchor. The ray is
 //                 re-centred on the anchor (ray/split.glsl), so that only where it meets the globe counts: from far away
@@ -25,6 +27,20 @@ Globe loadGlobe(int at) {
     vec4 b = sceneTexel(at + 1);
     return Globe(a.xyz, a.w, b.xyz, b.w);
 }
+
+#if DISTANCES
+#include "sdf/away.glsl"
+
+vec4 distanceGlobe(Globe globe, vec3 p, vec3 from) {
+    vec3 offset = p - globe.anchor;
+    float k = globe.curvature;
+    vec3 outward = globe.normal + k * offset; // k times the way from the centre
+    float away = length(outward);
+    float radius = sqrt(1.0 - 2.0 * k * globe.height); // k times it
+    float bent = 0.5 * k * dot(offset, offset) + dot(globe.normal, offset) + globe.height;
+    return vec4(awayFrom(outward, away, globe.normal), 2.0 * bent / (away + radius));
+}
+#endif
 
 // The stretch of the ray p + s d inside.
 vec2 globeSpan(Globe globe, vec3 p, vec3 d) {

@@ -1,8 +1,10 @@
 // Plane: all points p with dot(p - point, normal) = 0.
 //
+// distancePlane   gradient and signed distance: it divides space, and the side where `from` is not is its inside
 // intersectPlane  t of the plane in (ray.tMin, t)
 // Error           o + t d is within 4 ulp of |origin - point| of the plane, the surface point within 2 * 2^-23 of its distance
-//                 from `point` (tests/shader/intersect_test.cpp)
+//                 from `point` (tests/shader/intersect_test.cpp); distance 1.5 * 2^-23 of 1 and of the way from `point`, the
+//                 gradient is the normal (tests/shader/distance_test.cpp; measured 1.3)
 // Source          solved about the plane's own point (docs/numerics.md)
 // Limits          normal is unit; a ray in the plane misses
 #include "primitive/planar.glsl"
@@ -13,6 +15,13 @@ struct Plane {
 };
 
 Plane loadPlane(int at) { return Plane(sceneTexel(at).xyz, sceneTexel(at + 1).xyz); }
+
+#if DISTANCES
+vec4 distancePlane(Plane plane, vec3 p, vec3 from) {
+    float side = dot(from - plane.point, plane.normal) < 0.0 ? -1.0 : 1.0;
+    return side * vec4(plane.normal, dot(p - plane.point, plane.normal));
+}
+#endif
 
 bool intersectPlane(Plane plane, Ray ray, float side, inout float t) {
     if (side != 0.0) return false;

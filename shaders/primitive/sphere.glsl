@@ -1,10 +1,12 @@
 // Sphere: the points at distance `radius` from `center`.
 //
 // ballSphere       itself
+// distanceSphere   gradient and signed distance; at the centre +y
 // intersectSphere  nearest t in (ray.tMin, t) along the unit direction; from inside the far side
 // surfaceSphere    point and normal exact to the radius' own rounding; uv = longitude, latitude (u = 0 at -x, v = 0 at +y)
 // Error            band 2^-22 radius, ray 1.5 ulp, point 2 and normal 2 roundings, as docs/numerics.md names them
-//                  (tests/shader/intersect_test.cpp)
+//                  (tests/shader/intersect_test.cpp); distance 1.5 roundings, gradient 2 (tests/shader/distance_test.cpp;
+//                  measured 1.1 and 0.6)
 // Source           ray re-centred on the sphere (ray/split.glsl), then (r - |l|)(r + |l|) instead of r² - l²
 // Limits           radius > 0
 struct Sphere {
@@ -18,6 +20,16 @@ Sphere loadSphere(int at) {
 }
 
 vec4 ballSphere(Sphere sphere) { return vec4(sphere.center, sphere.radius); }
+
+#if DISTANCES
+#include "sdf/away.glsl"
+
+vec4 distanceSphere(Sphere sphere, vec3 p, vec3 from) {
+    vec3 offset = p - sphere.center;
+    float away = length(offset);
+    return vec4(awayFrom(offset, away, vec3(0.0, 1.0, 0.0)), away - sphere.radius);
+}
+#endif
 
 // Half the chord, and the foot of the centre on the ray relative to the centre; negative where the ray passes by.
 float halfChord(Sphere sphere, NearRay near, vec3 direction, out vec3 foot, out float fromNear) {

@@ -1,11 +1,13 @@
 // Torus: the points at distance `minor` from a circle of radius `major` about `center`, in the plane across `axis`.
 //
 // ballTorus       about its centre
+// distanceTorus   gradient and signed distance; about the circle the axis, on the axis one of the ways out
 // intersectTorus  nearest t in (ray.tMin, t)
 // surfaceTorus    point and normal exact to a few ulp of major + minor; u runs around the axis, v around the tube,
 //                 downward outside
 // Error           band 2^-22 (major + minor), ray 1.5 ulp, point 2 and normal 2 roundings, as docs/numerics.md names them
-//                 (tests/shader/intersect_test.cpp)
+//                 (tests/shader/intersect_test.cpp); distance 2 roundings, gradient 2 (tests/shader/distance_test.cpp;
+//                 measured 1.7 and 1.0)
 // Source          ray re-centred exactly (ray/split.glsl). Along the ray g(s) = (|xy| - major)² + z² - minor² is concave on
 //                 one interval about the axis and convex before and after it. g and g' at the ends of these three pieces
 //                 tell which can hold the nearest root, and Newton, started at the end where it converges from one side,
@@ -27,6 +29,23 @@ Torus loadTorus(int at) {
 }
 
 vec4 ballTorus(Torus torus) { return vec4(torus.center, torus.major + torus.minor); }
+
+#if DISTANCES
+#include "sdf/away.glsl"
+
+vec4 distanceTorus(Torus torus, vec3 p, vec3 from) {
+    vec3 offset = p - torus.center;
+    float along = dot(offset, torus.axis);
+    vec3 across = offset - along * torus.axis;
+    float away = length(across);
+    float beyond = away - torus.major;
+    float fromCircle = length(vec2(beyond, along));
+    across -= dot(across, torus.axis) * torus.axis; // what rounding left along the axis counts close to it
+    vec3 outward = awayFrom(across, length(across), anyAcross(torus.axis));
+    vec3 offCircle = beyond * outward + along * torus.axis;
+    return vec4(awayFrom(offCircle, length(offCircle), torus.axis), fromCircle - torus.minor);
+}
+#endif
 
 // A ray as the torus sees it, from the re-centred origin: its parts along the axis and across it.
 struct TubeRay {

@@ -1,11 +1,14 @@
 // Triangle: three vertices; the normal follows their winding (counter-clockwise seen from its tip).
 //
 // ballTriangle       about the middle of the vertices
+// distanceTriangle   gradient and distance, without a sign: a triangle has no inside; on it the normal
 // intersectTriangle  t in (ray.tMin, t); watertight: a ray through a shared edge or vertex hits at least one of the
 //                    triangles that share it
 // surfaceTriangle    the point from its barycentric weights: exact to the vertices' own rounding; uv = weights of b and c
 // Error              no leak through shared edges; band 2^-22 of the extent of all triangles, ray 1.5 ulp times a sliver's size over
-//                    its height, point 2 and normal 1 roundings, as docs/numerics.md names them (tests/shader/intersect_test.cpp)
+//                    its height, point 2 and normal 1 roundings, as docs/numerics.md names them (tests/shader/intersect_test.cpp);
+//                    distance 2.5 roundings, gradient 3, times a sliver's size over its height (tests/shader/distance_test.cpp;
+//                    measured 2.0 and 2.1)
 // Source             S. Woop, C. Benthin, I. Wald, Watertight Ray/Triangle Intersection, JCGT 2(1) 2013; every edge function
 //                    is computed in one order of its two vertices, so that contraction to fused multiply-add cannot tell
 //                    the two triangles of an edge apart. The ray is re-centred on the middle of all triangles, one point for
@@ -24,6 +27,33 @@ vec4 ballTriangle(Triangle triangle) {
     float reach = max(max(distance(middle, triangle.a), distance(middle, triangle.b)), distance(middle, triangle.c));
     return vec4(middle, reach);
 }
+
+#if DISTANCES
+#include "sdf/away.glsl"
+
+vec4 distanceTriangle(Triangle triangle, vec3 p, vec3 from) {
+    vec3 ab = triangle.b - triangle.a;
+    vec3 bc = triangle.c - triangle.b;
+    vec3 ca = triangle.a - triangle.c;
+    vec3 height = (dot(ca, ab) / dot(ab, ab)) * ab - ca; // of c over ab: rounding turns a sliver about ab only
+    vec3 normal = normalize(cross(ab, height));
+    float above = dot(p - triangle.a, normal);
+    vec3 offA = (p - triangle.a) - above * normal; // in the plane
+    vec3 offB = offA - ab;
+    vec3 offC = offA + ca;
+    vec3 beside = vec3(dot(cross(normal, ab), offA), dot(cross(normal, bc), offB), dot(cross(normal, ca), offC));
+    bool over = all(greaterThanEqual(beside, vec3(0.0)));
+    // What is nearest follows from signs and parts of edges: squares of lengths would drown the triangle from far away.
+    vec3 part = vec3(dot(offA, ab) / dot(ab, ab), dot(offB, bc) / dot(bc, bc), dot(offC, ca) / dot(ca, ca));
+    vec3 facing = vec3(lessThan(beside, vec3(0.0))) * vec3(greaterThan(part, vec3(0.0))) * vec3(lessThan(part, vec3(1.0)));
+    vec3 offVertex = part.x < 0.5 ? (part.z < 0.5 ? offC : offA) : (part.y < 0.5 ? offB : offC);
+    vec3 offEdge = facing.x > 0.0 ? offA - part.x * ab : (facing.y > 0.0 ? offB - part.y * bc : offC - part.z * ca);
+    vec3 offRim = facing == vec3(0.0) ? offVertex : offEdge;
+    vec3 offset = above * normal + (over ? vec3(0.0) : offRim);
+    float least = length(offset);
+    return vec4(awayFrom(offset, least, normal), least);
+}
+#endif
 
 // Of the box about all triangles of the scene: their texels carry it along.
 vec3 middleOfTriangles() {

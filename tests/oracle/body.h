@@ -85,6 +85,23 @@ class Body {
         }
     }
 
+    /// The same, but of a disc or triangle as far as its rim, which has no inside: never negative.
+    R boundedDistance(const Vec3<R>& p) const {
+        if (kind_ == ShapeKind::Disc) {
+            const Profile q = profile(p);
+            return hypotenuse(q.along, std::max<R>(q.away - radius_, 0));
+        }
+        if (kind_ != ShapeKind::Triangle) return distance(p);
+        if (withinRim(p) >= 0) return abs(distance(p));
+        R least = R(1e30);
+        for (int i = 0; i < 3; ++i) {
+            const Vec3<R> along = vertices_[(i + 1) % 3] - vertices_[i], off = p - vertices_[i];
+            const R part = std::clamp<R>(dot(off, along) / dot(along, along), 0, 1);
+            least = std::min<R>(least, length(off - part * along));
+        }
+        return least;
+    }
+
     /// How far a point of a flat body's plane is inside its rim; a plane has none.
     R withinRim(const Vec3<R>& p) const {
         if (kind_ == ShapeKind::Disc) return radius_ - length(p);

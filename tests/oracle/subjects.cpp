@@ -1,6 +1,7 @@
 #include "tests/oracle/subjects.h"
 
 #include <cmath>
+#include <ostream>
 
 namespace gnomon::oracle {
 namespace {
@@ -45,6 +46,8 @@ Vec lateral(Vec v, int axis) {
 }
 
 } // namespace
+
+std::ostream& operator<<(std::ostream& out, const Subject& subject) { return out << subject.name(); }
 
 const std::vector<Subject>& subjects() {
     using enum ShapeKind;

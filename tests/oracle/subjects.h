@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <iosfwd>
 #include <random>
 #include <string>
 #include <string_view>
@@ -24,6 +25,7 @@ struct Subject {
         return proportion.empty() ? std::string(shape) : std::string(shape) + ", " + std::string(proportion);
     }
 };
+std::ostream& operator<<(std::ostream&, const Subject&);
 const std::vector<Subject>& subjects();
 
 /// Nothing but these, as RayBatch takes it.

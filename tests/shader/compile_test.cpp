@@ -23,6 +23,7 @@ using namespace test;
 struct Variant {
     std::string name;
     Features features;
+    std::string_view pass = "pass/trace.frag";
 };
 
 /// The combinations of settings that change the source.
@@ -48,13 +49,16 @@ std::vector<Variant> variants(const std::string& sceneName) {
             settings.aov = Aov::Color;
             settings.glow = settings.normalMaps = false;
             add("no glow, no normal maps");
+            add("distances");
+            all.back().features.distances = true;
+            all.back().pass = "pass/distance.frag";
         }
     return all;
 }
 
-ShaderSource sourceOf(const Features& features) {
+ShaderSource sourceOf(const Variant& variant) {
     Problems problems;
-    ShaderSource source = buildShader("pass/trace.frag", features, problems);
+    ShaderSource source = buildShader(variant.pass, variant.features, problems);
     EXPECT_EQ(toString(problems), "");
     return source;
 }
@@ -70,7 +74,7 @@ TEST_P(Compile, SatisfiesGlslang) {
     std::string files;
     for (std::size_t i = 0; i < all.size(); ++i) {
         const auto file = folder / (std::to_string(i) + ".frag");
-        std::ofstream(file) << sourceOf(all[i].features).text;
+        std::ofstream(file) << sourceOf(all[i]).text;
         files += " " + file.string();
     }
     const std::string log = (folder / "log").string();
@@ -86,7 +90,7 @@ void compilesIn(ContextKind kind, const std::vector<Variant>& all) {
     for (const Variant& variant : all) {
         if (es && !variant.features.es300) continue; // a GLES driver takes GLES text only
         Problems problems;
-        const ShaderSource source = sourceOf(variant.features);
+        const ShaderSource source = sourceOf(variant);
         const gl::Program program(buildCanvas(variant.features, problems).text, source.text);
         EXPECT_TRUE(program.linked()) << variant.name << '\n'
                                       << toString(mapLog(program.fragmentLog(), source)) << program.linkLog();
@@ -100,7 +104,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Compile, testing::Values("lite", "pro", "torus"
 
 void namesThePlaceOfAFault(ContextKind kind) {
     offscreen(kind);
-    ShaderSource source = sourceOf(variants("lite")[0].features);
+    ShaderSource source = sourceOf(variants("lite")[0]);
     const std::string right = "return Sphere(a.xyz, a.w);";
     const auto at = source.text.find(right);
     ASSERT_NE(at, std::string::npos);

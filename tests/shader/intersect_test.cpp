@@ -51,14 +51,6 @@ int cellsOf(std::string_view shape) {
     return cells;
 }
 
-} // namespace
-
-namespace oracle {
-std::ostream& operator<<(std::ostream& out, const Subject& subject) { return out << subject.name(); }
-} // namespace oracle
-
-namespace {
-
 /// A wrong answer, to the last bit.
 void describe(const Shape& shape, const BatchRay& ray, const BatchHit& answer) {
     const Body<double> body(shape);

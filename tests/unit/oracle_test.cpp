@@ -48,6 +48,29 @@ TEST_P(Oracle, AnswersInDoubleAsIn50Digits) {
 INSTANTIATE_TEST_SUITE_P(Subjects, Oracle, testing::ValuesIn(subjects()),
                          [](const auto& test) { return test.param.name(); });
 
+// Of a flat body: no point of it is nearer than its distance, and one of many spread over it is about as near.
+TEST(FlatDistance, IsThatOfTheNearestOfAllPoints) {
+    constexpr int kSteps = 200;
+    for (const Subject& subject : subjects()) {
+        if (subject.shape != "disc" && subject.shape != "triangle") continue;
+        const Shape shape = placed(subject, RayClass::Uniform, 3);
+        const Body<double> body(shape);
+        RayStream stream(shape, RayClass::Uniform, 3, 11);
+        std::vector<Vec3<double>> spread;
+        for (int i = 0; i < kSteps * kSteps; ++i) {
+            const Vec3<double> rim = stream.surface().point; // both are convex: so are all points towards its middle
+            spread.push_back(i % 2 ? rim : std::sqrt(stream.number(0, 1)) * rim);
+        }
+        for (int i = 0; i < 300; ++i) {
+            const Vec3<double> p = stream.number(0, 2) * stream.direction();
+            double least = 1e30;
+            for (const Vec3<double>& q : spread) least = std::min(least, length(p - q));
+            EXPECT_GE(least, body.boundedDistance(p) - 1e-12) << subject.name();
+            EXPECT_LE(least, body.boundedDistance(p) + 0.05) << subject.name();
+        }
+    }
+}
+
 /// The exact answer, rounded to float32.
 BatchHit roundedAnswer(const Body<double>& body, const BatchRay& ray) {
     const ExactHit<double> exact = exactHit(body, lineOf(body, ray.origin, ray.direction));

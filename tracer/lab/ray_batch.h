@@ -3,15 +3,7 @@
 #pragma once
 
 #include "tracer/clock.h"
-#include "tracer/problem.h"
-#include "tracer/scene/scene.h"
-#include "tracer/shader/library.h"
-
-#include <glm/glm.hpp>
-
-#include <memory>
-#include <span>
-#include <vector>
+#include "tracer/lab/batch.h"
 
 namespace gnomon {
 
@@ -34,8 +26,7 @@ class RayBatch {
     /// that fails or the context cannot draw float32.
     /// `overrides` take the place of shader files of the same name, as for buildShader().
     RayBatch(const Scene&, Problems&, std::span<const ShaderFile> overrides = {});
-    ~RayBatch();
-    bool valid() const { return impl_ != nullptr; }
+    bool valid() const { return batch_ != nullptr; }
 
     /// One answer a ray, in order.
     std::vector<BatchHit> trace(std::span<const BatchRay>);
@@ -46,8 +37,7 @@ class RayBatch {
     double seconds(std::span<const BatchRay>, int repeats, double (*clock)() = monotonicSeconds);
 
   private:
-    struct Impl;
-    std::unique_ptr<Impl> impl_;
+    std::unique_ptr<Batch> batch_;
 };
 
 } // namespace gnomon
