@@ -32,26 +32,19 @@ const ShadowCost* find(const ShadowCosts& costs, const ShadowWay& way) {
 
 std::vector<Cell> rowOf(const ShadowCosts& costs, const ShadowCost& cost) {
     const ShadowWay& way = cost.way;
-    const bool cone = marchesCones(way.model);
     const Quartiles ratio = ratioOf(cost.seconds, costs.bare);
-    return {costs.scene,
-            costs.radius,
-            std::string(shadowRow(way.model).key),
-            cone ? Cell(nameOf(way.direction)) : Cell{},
-            cone ? Cell(way.epsilon) : Cell{},
-            way.model == ShadowModel::Montecarlo ? Cell(double(way.samples)) : Cell{},
-            1e3 * median(cost.seconds),
-            ratio.median,
-            ratio.low,
-            ratio.high,
-            cost.evaluations,
-            cost.shadowRays ? Cell(*cost.shadowRays) : Cell{},
-            cost.visibility.rmse,
-            cost.visibility.mean,
-            cost.visibility.most999,
-            cost.visibility.most,
-            cost.picture.rmse,
-            std::string(cost.front ? "yes" : "no")};
+    std::vector<Cell> row{costs.scene, costs.radius, std::string(shadowRow(way.model).key), Cell{}, Cell{}, Cell{}};
+    if (marchesCones(way.model)) {
+        row[3] = nameOf(way.direction);
+        row[4] = way.epsilon;
+    }
+    if (way.model == ShadowModel::Montecarlo) row[5] = double(way.samples);
+    row.insert(row.end(), {1e3 * median(cost.seconds), ratio.median, ratio.low, ratio.high, cost.evaluations, Cell{}});
+    if (cost.shadowRays) row.back() = *cost.shadowRays;
+    const Errors& fraction = cost.visibility;
+    row.insert(row.end(), {fraction.rmse, fraction.mean, fraction.most999, fraction.most, cost.picture.rmse});
+    row.emplace_back(cost.front ? "yes" : "no");
+    return row;
 }
 
 /// The Monte Carlo way whose time comes nearest to `seconds` without passing it; the cheapest where all take longer.
@@ -111,7 +104,8 @@ Table variantTable(const std::vector<ShadowCosts>& all) {
                 bool any = false;
                 for (const ShadowModel model : kVariants) {
                     const ShadowCost* cost = find(costs, {model, direction, epsilon});
-                    row.push_back(cost ? Cell(ratioOf(cost->seconds, costs.bare).median) : Cell{});
+                    row.emplace_back();
+                    if (cost) row.back() = ratioOf(cost->seconds, costs.bare).median;
                     any |= cost != nullptr;
                 }
                 if (any) table.rows.push_back(std::move(row));
@@ -134,10 +128,12 @@ Table rivalTable(const std::vector<ShadowCosts>& all) {
         if (!linear) continue;
         const auto add = [&](const ShadowCost* cost) {
             if (!cost) return;
-            table.rows.push_back({costs.scene, costs.radius, nameOf(cost->way),
-                                  ratioOf(cost->seconds, linear->seconds).median,
-                                  cost->visibility.rmse / linear->visibility.rmse,
-                                  cost->evaluations / linear->evaluations, std::string(cost->front ? "yes" : "no")});
+            std::vector<Cell> row{costs.scene, costs.radius, nameOf(cost->way)};
+            row.insert(row.end(),
+                       {ratioOf(cost->seconds, linear->seconds).median, cost->visibility.rmse / linear->visibility.rmse,
+                        cost->evaluations / linear->evaluations});
+            row.emplace_back(cost->front ? "yes" : "no");
+            table.rows.push_back(std::move(row));
         };
         add(find(costs, {ShadowModel::Silhouette}));
         add(monteCarloWithin(costs, median(linear->seconds)));

@@ -49,7 +49,9 @@ Bounds boundsOf(ShapeKind kind) {
     case ShapeKind::Triangle: return {2.5L, 3};
     case ShapeKind::Cylinder: return {2.5L};
     case ShapeKind::Cone: return {3};
-    case ShapeKind::Globe: break;
+    case ShapeKind::Globe:
+    case ShapeKind::Mandelbulb: // an estimate: tests/shader/solid_test.cpp, as all solids
+    case ShapeKind::Solid: break;
     }
     return {3.5L};
 }

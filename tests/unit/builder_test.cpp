@@ -193,7 +193,20 @@ TEST(ShaderLibrary, HoldsNoPrecisionBelowHighp) {
 }
 
 TEST(ShaderLibrary, BeginsEveryFileWithWhatItIs) {
-    for (const ShaderFile& file : shaderLibrary()) EXPECT_TRUE(file.text.starts_with("// ")) << file.name;
+    for (const ShaderFile& file : shaderLibrary()) {
+        std::ifstream text(GNOMON_SOURCE_DIR "/shaders/" + std::string(file.name));
+        std::string line;
+        EXPECT_TRUE(std::getline(text, line) && line.starts_with("// ")) << file.name;
+    }
+}
+
+TEST(ShaderLibrary, CarriesNoCommentsButTheirLines) {
+    for (const ShaderFile& file : shaderLibrary()) {
+        EXPECT_EQ(file.text.find("//"), std::string_view::npos) << file.name;
+        std::ifstream text(GNOMON_SOURCE_DIR "/shaders/" + std::string(file.name));
+        const auto lines = std::count(std::istreambuf_iterator<char>(text), {}, '\n');
+        EXPECT_EQ(std::count(file.text.begin(), file.text.end(), '\n'), lines) << file.name;
+    }
 }
 
 TEST(Features, ChooseABlockWhereTheSceneFitsAndATextureWhereNot) {

@@ -91,9 +91,12 @@ class Writer {
     void line(const std::string& text) { code_ += "    " + text + "\n"; }
 
     void writeShape(const SolidNode& node, int own, const std::string& point, const std::string& distance) {
-        const std::string type(shapeRow(node.shape.kind).type);
-        line("vec4 " + distance + " = distance" + type + "(load" + type + "(at + " + std::to_string(own) + "), " +
-             point + ", vec3(0.0));");
+        const std::string type(shapeRow(node.shape.kind).type), shape = "s" + distance.substr(1);
+        line(type + " " + shape + " = load" + type + "(at + " + std::to_string(own) + ");");
+        // A plane's normal points away from the half space that it is here.
+        const bool plane = node.shape.kind == ShapeKind::Plane;
+        const std::string from = plane ? shape + ".point + " + shape + ".normal" : "vec3(0.0)";
+        line("vec4 " + distance + " = distance" + type + "(" + shape + ", " + point + ", " + from + ");");
     }
 
     void writeMany(const SolidNode& node, int own, const std::string& point, const std::string& distance) {
