@@ -51,6 +51,14 @@ FloatImage Contender::read(const Settings& settings, const View& view, Problems&
     return image;
 }
 
+Image Contender::picture(const Settings& settings, const View& view, Problems& problems) {
+    renderer_.configure(settings);
+    Image image;
+    if (renderer_.finish(problems)) image = renderer_.readPicture(view, problems);
+    renderer_.configure(settings_);
+    return image;
+}
+
 std::vector<std::vector<double>> race(std::span<const Entrant> entrants, int rounds, double (*clock)(),
                                       LabProgress& progress) {
     std::vector<std::vector<double>> times(entrants.size());

@@ -27,6 +27,8 @@ class Contender {
     std::optional<std::vector<Work>> count(std::span<const View>, Problems&);
     /// The output that `settings` name; back to what it drew before. Empty, with problems, where that fails.
     FloatImage read(const Settings&, const View&, Problems&);
+    /// The same of what a window would show.
+    Image picture(const Settings&, const View&, Problems&);
     /// Other numbers from here on: no setting that needs another program.
     void use(const Settings& settings) { renderer_.configure(settings_ = settings); }
     const ProgramStats& program() const { return program_; }

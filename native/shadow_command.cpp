@@ -2,6 +2,7 @@
 #include "native/environment.h"
 #include "native/lab_command.h"
 #include "native/shadow_lab.h"
+#include "native/shadow_pictures.h"
 #include "native/shadow_tables.h"
 
 #include <algorithm>
@@ -15,7 +16,7 @@ struct ShadowOptions {
     LabOptions lab;
     std::vector<std::string> scenes{"simple", "complex", "mandelbulb"}, models;
     ShadowPlan plan;
-    std::string size = "160x120", directions = "ab";
+    std::string size = "160x120", directions = "ab", pictures;
 };
 
 std::vector<std::string> allModels() {
@@ -108,6 +109,8 @@ int labShadows(ShadowOptions options) {
         const auto costs = measureShadows(scene, options.plan, labClock(), progress, problems);
         if (!problems.empty()) return fail(kInputWrong, problems);
         print(shadowTable(costs));
+        if (!options.pictures.empty() && !writePictures(options.pictures, scene, options.plan, problems))
+            return fail(kInputWrong, problems);
         measured.insert(measured.end(), costs.begin(), costs.end());
     }
     results.tables = {shadowTable(measured), variantTable(measured), rivalTable(measured)};
@@ -140,6 +143,10 @@ void addShadowLab(CLI::App& lab, Task& task) {
     shadows->add_option("--reference", options->plan.reference, "Samples of the reference [4096]")->type_name("N");
     shadows->add_option("--repeats", options->plan.rounds, "Rounds, in each of which every way draws a frame [5]")
         ->type_name("N");
+    shadows
+        ->add_option("--pictures", options->pictures,
+                     "Folder for PNGs: each model, the reference, four times their difference")
+        ->type_name("FOLDER");
     addLabOptions(*shadows, options->lab);
     shadows->callback([&task, options] { task = [options] { return labShadows(*options); }; });
 }

@@ -7,19 +7,6 @@
 namespace gnomon {
 namespace {
 
-Settings settingsFor(const ShadowPlan& plan, const ShadowWay& way, std::optional<double> radius) {
-    Settings settings;
-    settings.size = plan.size;
-    settings.depth = 1; // what reflections show would count shadows twice
-    settings.shadows = way.model;
-    settings.direction = way.direction;
-    settings.epsilon = way.epsilon;
-    settings.samples = way.samples;
-    settings.shadowSteps = 1024;
-    settings.lightRadius = radius;
-    return settings;
-}
-
 /// Ways that share a program: only numbers differ.
 using Program = std::pair<ShadowModel, Direction>;
 
@@ -113,6 +100,19 @@ bool raceAll(Scenery& scenery, const ShadowPlan& plan, ShadowCosts& costs, doubl
 }
 
 } // namespace
+
+Settings settingsFor(const ShadowPlan& plan, const ShadowWay& way, std::optional<double> radius) {
+    Settings settings;
+    settings.size = plan.size;
+    settings.depth = 1; // what reflections show would count shadows twice
+    settings.shadows = way.model;
+    settings.direction = way.direction;
+    settings.epsilon = way.epsilon;
+    settings.samples = way.samples;
+    settings.shadowSteps = 1024;
+    settings.lightRadius = radius;
+    return settings;
+}
 
 bool marchesCones(ShadowModel model) { return model >= ShadowModel::ConeBase && model <= ShadowModel::ConeConvex; }
 

@@ -58,6 +58,8 @@ struct ShadowPlan {
     std::optional<CameraPose> camera; ///< instead of the scene's
 };
 
+/// As the laboratory draws a way; the scene's own radii where none is given.
+Settings settingsFor(const ShadowPlan&, const ShadowWay&, std::optional<double> radius);
 std::vector<ShadowWay> waysOf(const ShadowPlan&);
 /// For LabProgress: frames drawn, references and read-backs.
 std::size_t stepsOf(const ShadowPlan&);

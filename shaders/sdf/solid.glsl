@@ -8,7 +8,7 @@
 // surface    the point pulled onto the surface along the gradient; images lie on it as on a floor, in scene units
 // gradient   of an estimate: differences over a tetrahedron of size `reach`
 // Error      t: short of the surface by what the pixel covers, or 2^-20 of the ball's radius where rays start elsewhere; the
-//            point is within 0.15 of what the pixel covers, of estimates 0.25 (tests/shader/solid_test.cpp)
+//            point is at most half of that beside it (tests/shader/solid_test.cpp)
 // Source     J. Hart, Sphere Tracing, 1996; J. Amanatides, Ray Tracing with Cones, 1984
 struct $Shape {
     int at;

@@ -39,7 +39,8 @@ std::vector<Variant> variants(const std::string& sceneName) {
                                    (data == DataPath::Block ? "block " : "texture ") + what,
                                featuresOf(scene, settings, 1024, es300)});
             };
-            for (Aov aov : {Aov::Color, Aov::Distance, Aov::Position, Aov::Normal, Aov::Object, Aov::Visibility}) {
+            for (Aov aov : {Aov::Color, Aov::Distance, Aov::Position, Aov::Normal, Aov::Object, Aov::Visibility,
+                            Aov::Work, Aov::Steps}) {
                 settings.aov = aov;
                 add("output " + std::to_string(int(aov)));
                 settings.shadows = ShadowModel::Off;
@@ -47,6 +48,20 @@ std::vector<Variant> variants(const std::string& sceneName) {
                 settings.shadows = ShadowModel::Hard;
             }
             settings.aov = Aov::Color;
+            if (data == DataPath::Block) {
+                for (const ShadowRow& row : kShadowModels)
+                    for (const Direction direction : {Direction::FromSurface, Direction::FromLight}) {
+                        settings.shadows = row.model;
+                        settings.direction = direction;
+                        add(std::string(row.key) + (direction == Direction::FromSurface ? " a" : " b"));
+                    }
+                for (const March march : {March::Steps, March::Sphere, March::Cone}) {
+                    settings.march = march;
+                    add("march " + std::to_string(int(march)));
+                }
+                settings = {};
+                settings.data = data;
+            }
             settings.glow = settings.normalMaps = false;
             add("no glow, no normal maps");
             add("distances");
@@ -99,7 +114,8 @@ void compilesIn(ContextKind kind, const std::vector<Variant>& all) {
 
 TEST_P(Compile, LinksInOsMesaInBothPreludes) { compilesIn(ContextKind::OsMesa, all); }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, Compile, testing::Values("lite", "pro", "torus", "shapes"),
+INSTANTIATE_TEST_SUITE_P(Scenes, Compile,
+                         testing::Values("lite", "pro", "torus", "shapes", "complex", "solids", "mandelbulb"),
                          [](const auto& test) { return std::string(test.param); });
 
 void namesThePlaceOfAFault(ContextKind kind) {
@@ -124,8 +140,8 @@ void namesThePlaceOfAFault(ContextKind kind) {
 TEST(CompileError, NamesFileAndLineOfTheLibraryInOsMesa) { namesThePlaceOfAFault(ContextKind::OsMesa); }
 TEST(CompileError, NamesFileAndLineOfTheLibraryInEgl) { namesThePlaceOfAFault(ContextKind::Egl); }
 
-TEST(CompileOnEgl, LinksEveryVariantOfLiteAndTorus) {
-    for (const char* scene : {"lite", "torus"}) compilesIn(ContextKind::Egl, variants(scene));
+TEST(CompileOnEgl, LinksEveryVariantOfLiteTorusAndSolids) {
+    for (const char* scene : {"lite", "torus", "solids"}) compilesIn(ContextKind::Egl, variants(scene));
     offscreen(ContextKind::OsMesa);
 }
 

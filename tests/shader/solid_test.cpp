@@ -145,7 +145,7 @@ TEST_P(Solids, AreMetWhereTheirFieldIsZero) {
                 }
                 const glm::dvec3 p(seen.position.at(x, y)[0], seen.position.at(x, y)[1], seen.position.at(x, y)[2]);
                 // An estimate jumps where an orbit escapes a round later.
-                const double cone = (estimated_ ? 0.25 : 0.15) * pixel * exact;
+                const double cone = 0.5 * pixel * exact;
                 const double off = march == March::Cone ? cone : estimated_ ? 2e-3 : 2e-5;
                 ASSERT_LE(std::abs(oracle::fieldOf(treeOf(scene_), p)), off) << "pixel " << x << " " << y;
                 ASSERT_NEAR(glm::length(normal), 1, 1e-5);

@@ -142,7 +142,8 @@ TEST_P(SceneData, HoldsTheHierarchiesOfItsKinds) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, SceneData, testing::Values("lite", "pro", "torus", "shapes"));
+INSTANTIATE_TEST_SUITE_P(Scenes, SceneData,
+                         testing::Values("lite", "pro", "torus", "shapes", "complex", "solids", "mandelbulb"));
 
 TEST(SceneData, TellsEveryTriangleTheMiddleOfAll) {
     const Scene scene = test::sceneFrom(R"({"objects": [{"triangle": {"vertices": [[0, 0, 0], [1, 0, 0], [0, 2, 0]]}},

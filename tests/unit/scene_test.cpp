@@ -308,7 +308,7 @@ TEST(TorusScene, StandsItsTorusOnTheGround) {
 }
 
 TEST(ShippedScenes, AllHaveATitleADescriptionAndTheNameOfTheirFile) {
-    for (const char* name : {"lite", "pro", "torus", "shapes"}) {
+    for (const char* name : {"lite", "pro", "torus", "shapes", "simple", "complex", "solids", "mandelbulb"}) {
         const Scene scene = shipped(name);
         EXPECT_EQ(scene.name, name);
         EXPECT_FALSE(scene.title.empty()) << name;

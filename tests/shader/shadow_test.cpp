@@ -1,0 +1,238 @@
+/// The source's shadow models on the GPU: tau and its inverse, the tangent cone, exact answers where the model holds,
+/// and what must be the same from both ends of the cone.
+#include "tests/support/offscreen.h"
+#include "tests/support/scenes.h"
+#include "tracer/lab/light_batch.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace gnomon {
+namespace {
+
+using namespace test;
+
+constexpr double kAway = 6; ///< of the light, straight above the receivers
+
+double tau(double r) {
+    r = std::clamp(r, -1.0, 1.0);
+    return 0.5 + (r * std::sqrt(1 - r * r) + std::asin(r)) / std::numbers::pi;
+}
+
+double slopeOf(double radius) {
+    const double sine = radius / kAway;
+    return sine / std::sqrt(1 - sine * sine);
+}
+
+Settings settingsFor(ShadowModel model, double epsilon = 1.0 / 256, Direction direction = Direction::FromSurface) {
+    Settings settings;
+    settings.shadows = model;
+    settings.epsilon = epsilon;
+    settings.direction = direction;
+    settings.shadowSteps = 4000;
+    return settings;
+}
+
+/// A receiver at the origin that looks up at a light `kAway` above it.
+BatchLit under(double radius, glm::vec3 point = glm::vec3(0)) {
+    return {point, 1e-3f, {0, 0, 1}, -1, point + glm::vec3(0, 0, kAway), float(radius)};
+}
+
+std::vector<double> sharesOf(const std::string& objects, const Settings& settings, const std::vector<BatchLit>& lit,
+                             std::span<const ShaderFile> overrides = {}) {
+    offscreen();
+    Problems problems;
+    LightBatch batch(sceneFrom(R"({"lights": [{"point": {"position": [0, 0, 9]}}], "objects": [)" + objects + "]}"),
+                     settings, problems, overrides);
+    EXPECT_TRUE(batch.valid()) << toString(problems);
+    std::vector<double> shares;
+    if (batch.valid())
+        for (const BatchShade& shade : batch.shade(lit)) shares.push_back(shade.visibility);
+    return shares;
+}
+
+/// Answers of a function of the shader for `x` in place of a model's, which gets it as the light's radius.
+std::vector<double> answersOf(const std::string& expression, const std::vector<double>& xs) {
+    const std::string text =
+        "// Test\n#include \"shadow/cone.glsl\"\n#include \"shadow/share_inverse.glsl\"\n"
+        "float visibility(Beam beam) { float x = beam.lightRadius; Cone cone = coneOf(beam); return " +
+        expression + "; }\n";
+    const ShaderFile file{"shadow/cone_base.glsl", text};
+    std::vector<BatchLit> lit;
+    for (const double x : xs) lit.push_back(under(x));
+    return sharesOf(R"({"sphere": {"center": [99, 0, 0], "radius": 1}})", settingsFor(ShadowModel::ConeBase), lit,
+                    {&file, 1});
+}
+
+TEST(Share, IsTauAndItsInverse) {
+    std::vector<double> xs;
+    for (int i = 0; i <= 2000; ++i) xs.push_back(i / 1000.0);
+    const auto shares = answersOf("shareOf(x - 1.0)", xs), back = answersOf("shareOf(shareInverse(0.5 * x))", xs);
+    ASSERT_EQ(shares.size(), xs.size());
+    for (std::size_t i = 0; i < xs.size(); ++i) {
+        EXPECT_NEAR(shares[i], tau(xs[i] - 1), 1e-6) << xs[i] - 1;
+        EXPECT_NEAR(back[i], xs[i] / 2, 2e-6) << xs[i] / 2;
+    }
+}
+
+TEST(TangentCone, TouchesBothSpheres) {
+    const std::vector<double> radii{0, 0.05, 0.3, 1, 2, 4, 5.5};
+    const auto slopes = answersOf("cone.slope", radii), starts = answersOf("cone.radius", radii),
+               lengths = answersOf("cone.length", radii);
+    for (std::size_t i = 0; i < radii.size(); ++i) {
+        const double r0 = 5e-4, length = kAway - r0, sine = (radii[i] - r0) / length,
+                     cosine = std::sqrt(1 - sine * sine);
+        EXPECT_NEAR(lengths[i], length, 1e-5);
+        EXPECT_NEAR(slopes[i], sine / cosine, 1e-6 / cosine / cosine / cosine) << radii[i];
+        EXPECT_NEAR(starts[i], r0 / cosine, 1e-9 / cosine) << radii[i];
+    }
+}
+
+constexpr ShadowModel kCones[] = {ShadowModel::ConeBase, ShadowModel::ConeLinear, ShadowModel::ConeDiscrete,
+                                  ShadowModel::ConeConvex};
+
+class Cones : public testing::TestWithParam<std::tuple<ShadowModel, Direction>> {
+  protected:
+    ShadowModel model_ = std::get<0>(GetParam());
+    Settings settings(double epsilon = 1.0 / 256) { return settingsFor(model_, epsilon, std::get<1>(GetParam())); }
+};
+
+/// A wall so thick and long that all its shadow comes from one edge, at x = 0 between z = 2 and 4.
+constexpr const char* kWall = R"({"box": {"center": [-50, 0, 3], "half_size": [50, 50, 1]}})";
+
+TEST_P(Cones, FindTheShareThatAnEdgeLeaves) {
+    for (const double radius : {0.05, 0.1, 0.25, 0.5}) {
+        const double slope = slopeOf(radius);
+        std::vector<BatchLit> lit;
+        for (int i = -60; i <= 60; ++i) lit.push_back(under(radius, {float(i / 50.0 * 4 * slope), 0, 0}));
+        const auto shares = sharesOf(kWall, settings(), lit);
+        for (std::size_t i = 0; i < lit.size(); ++i) {
+            const double x = lit[i].point.x, exact = tau(std::min(x / 2, x / 4) / slope);
+            EXPECT_NEAR(shares[i], exact, 0.01 + 1.0 / 256) << "radius " << radius << " x " << x;
+        }
+    }
+}
+
+TEST_P(Cones, KnowNothingAndEverything) {
+    for (const double radius : {0.0, 0.05, 1.0, 4.0}) {
+        const auto share = [&](const char* objects) { return sharesOf(objects, settings(), {under(radius)})[0]; };
+        const double level = model_ == ShadowModel::ConeDiscrete ? 0.01 : 1e-3;
+        // A cone that touches the surface sphere at its start finds cos(alpha) there, not 1.
+        const double widest = tau(std::sqrt(1 - radius * radius / kAway / kAway));
+        EXPECT_GE(share(R"({"sphere": {"center": [90, 0, 0], "radius": 1}})"), 1 - level) << radius;
+        EXPECT_GE(share(R"({"plane": {"point": [0, 0, 0], "normal": [0, 0, 1]}})"), widest - 0.01) << radius;
+        EXPECT_LE(share(R"({"box": {"center": [0, 0, 3], "half_size": [40, 40, 2]}})"), 0.01) << radius;
+        EXPECT_LE(share(R"({"sphere": {"center": [0, 0, 6], "radius": 5}})"), 0.01)
+            << "light inside, radius " << radius;
+        EXPECT_GE(share(R"({"box": {"center": [0, 0, 20], "half_size": [40, 40, 2]}})"), 1 - level)
+            << "beyond, radius " << radius;
+    }
+}
+
+TEST_P(Cones, StayWithinBoundsWhereThePointIsOnTheLight) {
+    BatchLit on = under(4, {0, 0, 0});
+    on.light = on.point + glm::vec3(0, 0, 1);
+    BatchLit at = on;
+    at.light = at.point;
+    for (const double share : sharesOf(kWall, settings(), {on, at})) {
+        EXPECT_GE(share, 0);
+        EXPECT_LE(share, 1);
+    }
+}
+
+TEST_P(Cones, EndAHardShadowWithinAPixel) {
+    std::vector<BatchLit> lit;
+    for (int i = -200; i <= 200; ++i) {
+        lit.push_back(under(0, {float(i) * 5e-4f, 0, 0}));
+        lit.back().width = 0.02f;
+    }
+    const auto shares = sharesOf(kWall, settings(), lit);
+    bool between = false;
+    for (std::size_t i = 0; i < lit.size(); ++i) {
+        if (lit[i].point.x > 0.02f) EXPECT_GE(shares[i], 0.99) << lit[i].point.x;
+        if (lit[i].point.x < -0.02f) EXPECT_LE(shares[i], 0.01) << lit[i].point.x;
+        between |= shares[i] > 0.2 && shares[i] < 0.8;
+    }
+    EXPECT_TRUE(between) << "the edge is smooth";
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Cones,
+                         testing::Combine(testing::ValuesIn(kCones),
+                                          testing::Values(Direction::FromSurface, Direction::FromLight)),
+                         [](const auto& test) {
+                             std::string name(shadowRow(std::get<0>(test.param)).key);
+                             std::replace(name.begin(), name.end(), '-', '_');
+                             return name + (std::get<1>(test.param) == Direction::FromSurface ? "_A" : "_B");
+                         });
+
+constexpr const char* kBodies = R"({"sphere": {"center": [0.3, 0.2, 2.5], "radius": 0.6}},
+    {"capsule": {"from": [-1.5, -1, 2], "to": [-1, 1.2, 3], "radius": 0.2}},
+    {"torus": {"center": [1.4, -0.6, 2], "axis": [0.3, 0.2, 1], "major_radius": 0.6, "minor_radius": 0.2}},
+    {"difference": [{"box": {"center": [0.2, 1.8, 2], "half_size": [0.6, 0.5, 0.4]}}, {"sphere": {"center": [0.2, 1.8, 2.6], "radius": 0.5}}]})";
+
+std::vector<BatchLit> everywhere(double radius) {
+    std::mt19937 random(11);
+    std::uniform_real_distribution<float> place(-2.5f, 2.5f);
+    std::vector<BatchLit> lit;
+    for (int i = 0; i < 3000; ++i) lit.push_back(under(radius, {place(random), place(random), 0}));
+    return lit;
+}
+
+double apart(const std::vector<double>& a, const std::vector<double>& b) {
+    double squares = 0;
+    for (std::size_t i = 0; i < a.size(); ++i) squares += (a[i] - b[i]) * (a[i] - b[i]);
+    return std::sqrt(squares / double(a.size()));
+}
+
+TEST(Directions, FindTheSameShare) {
+    for (const ShadowModel model : {ShadowModel::ConeBase, ShadowModel::ConeLinear, ShadowModel::ConeConvex})
+        for (const double radius : {0.1, 0.5, 1.5})
+            for (const double epsilon : {1.0 / 30, 1.0 / 256}) {
+                const auto lit = everywhere(radius);
+                const auto a = sharesOf(kBodies, settingsFor(model, epsilon), lit);
+                const auto b = sharesOf(kBodies, settingsFor(model, epsilon, Direction::FromLight), lit);
+                for (std::size_t i = 0; i < a.size(); ++i)
+                    ASSERT_NEAR(a[i], b[i], 1.1 * epsilon + 1e-3) << shadowRow(model).key << " radius " << radius
+                                                                  << " at " << lit[i].point.x << " " << lit[i].point.y;
+            }
+}
+
+TEST(Epsilon, BringsTheShareNearerAsItFalls) {
+    for (const ShadowModel model :
+         {ShadowModel::ConeBase, ShadowModel::ConeLinear, ShadowModel::ConeDiscrete, ShadowModel::ConeConvex}) {
+        const auto lit = everywhere(0.8);
+        const auto exact = sharesOf(kBodies, settingsFor(ShadowModel::ConeLinear, 1.0 / 2048), lit);
+        double before = 1;
+        for (const double epsilon : {0.5, 0.25, 0.125, 1.0 / 16, 1.0 / 32, 1.0 / 128, 1.0 / 512}) {
+            const double error = apart(sharesOf(kBodies, settingsFor(model, epsilon), lit), exact);
+            EXPECT_LE(error, before * 1.02 + 1e-4) << shadowRow(model).key << " " << epsilon;
+            EXPECT_LE(error, epsilon) << shadowRow(model).key << " " << epsilon;
+            before = error;
+        }
+    }
+}
+
+TEST(MonteCarlo, NearsTheShareThatAnEdgeLeavesAsSamplesGrow) {
+    double before = 1;
+    for (const int samples : {16, 256, 4096}) {
+        std::vector<BatchLit> lit;
+        const double slope = slopeOf(2);
+        for (int i = -60; i <= 60; ++i) lit.push_back(under(2, {float(i / 50.0 * 4 * slope), 0, 0}));
+        Settings settings = settingsFor(ShadowModel::Montecarlo);
+        settings.samples = samples;
+        const auto shares = sharesOf(kWall, settings, lit);
+        std::vector<double> exact;
+        for (const BatchLit& one : lit) exact.push_back(tau(std::min(one.point.x / 2, one.point.x / 4) / slope));
+        const double error = apart(shares, exact);
+        EXPECT_LE(error, 0.6 / std::pow(samples, 0.75)) << samples;
+        EXPECT_LT(error, before);
+        before = error;
+    }
+}
+
+} // namespace
+} // namespace gnomon
