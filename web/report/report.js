@@ -17,7 +17,7 @@ function formatOf(values) {
   return (value) => {
     if (value === null) return '–';
     if (typeof value !== 'number') return value;
-    if (fixed) return value.toFixed(decimals);
+    if (fixed) return value.toLocaleString('en', { minimumFractionDigits: decimals, maximumFractionDigits: decimals });
     return Number.isInteger(value) ? value.toLocaleString('en') : String(Number(value.toPrecision(4)));
   };
 }
@@ -42,25 +42,33 @@ function columnsOf(table, rows) {
     const parts = hasQuartiles(key) ? [key, `${key}_low`, `${key}_high`] : [key];
     const format = formatOf(rows.flatMap((row) => parts.map((part) => row[part])));
     const word = rows.some((row) => typeof row[key] === 'string');
-    return { ...column, format, word, spread: parts.length > 1 };
+    const spreadOf = parts.length > 1 && ((row) => (row[key] === null ? '' : `${format(row[parts[1]])} … ${format(row[parts[2]])}`));
+    const spread = spreadOf && 0.55 * Math.max(0, ...rows.map((row) => spreadOf(row).length)); // em: so that the medians line up
+    return { ...column, format, word, spreadOf, spread };
   });
 }
 
-function cellOf({ key, format, word, spread }, row) {
+function cellOf({ key, format, word, spreadOf }, row) {
   const cell = element('td', { className: word ? `word ${row[key]}` : '', textContent: format(row[key]) });
-  if (spread && row[key] !== null) cell.append(element('small', { textContent: `${format(row[`${key}_low`])} … ${format(row[`${key}_high`])}` }));
+  if (spreadOf) cell.append(element('small', { textContent: spreadOf(row) }));
   return cell;
 }
+
+const spaced = ({ spread }, cell) => {
+  if (spread) cell.style.setProperty('--spread', `${spread.toFixed(1)}em`);
+  return cell;
+};
 
 function tableOf(table, heading) {
   const rows = rowsOf(table);
   const columns = columnsOf(table, rows);
   const body = element('tbody');
-  const fill = () => body.replaceChildren(...rows.map((row) => element('tr', {}, ...columns.map((column) => cellOf(column, row)))));
+  const fill = () => body.replaceChildren(...rows.map((row) => element('tr', {}, ...columns.map((column) => spaced(column, cellOf(column, row))))));
   const heads = columns.map(({ key, title, unit, help, word, spread }) => {
     const button = element('button', { type: 'button', title: help }, title);
     button.append(element('small', { textContent: unit }));
-    const head = element('th', { scope: 'col', className: [word ? 'word' : '', spread ? 'spread' : ''].join(' ').trim() }, button);
+    const head = element('th', { scope: 'col', className: word ? 'word' : spread ? 'spread' : '' }, button);
+    spaced({ spread }, head);
     button.addEventListener('click', () => {
       const direction = head.getAttribute('aria-sort') === 'descending' ? 1 : -1;
       for (const other of heads) other.removeAttribute('aria-sort');
@@ -73,7 +81,7 @@ function tableOf(table, heading) {
   fill();
   const grid = element('table', {}, element('thead', {}, element('tr', {}, ...heads)), body);
   const section = element('section', {}, element(heading, { textContent: table.title }));
-  if (columns.some(({ spread }) => spread)) section.append(element('p', { className: 'note', textContent: 'Small beside a number: where it may lie; rest the pointer on a heading to read what is meant.' }));
+  if (columns.some(({ spread }) => spread)) section.append(element('p', { className: 'note', textContent: 'Small beside a median: the quartiles of the rounds; beside the ratio of two runs: what noise leaves of it. A heading tells more under the pointer and sorts by a click.' }));
   section.append(element('div', { className: 'table' }, grid));
   return section;
 }
