@@ -175,7 +175,7 @@ std::string helpOf(const SettingRow& row) {
     std::string help(row.help);
     if (row.key == "size") return help + " [800x600]";
     if (row.key == "depth") return help + " [1,4,8]";
-    return row.key == "shadows" ? help + " [all]" : help;
+    return row.key == "shadows" ? help + "; all: every model [off," + textOf(row, {}) + "]" : help;
 }
 
 /// --depth=1,4,8, also as --depths.

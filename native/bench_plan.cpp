@@ -26,7 +26,7 @@ std::vector<std::string> split(const std::string& list) {
 /// What varies where nothing is said.
 std::string standardList(std::string_view key) {
     if (key == "size") return "800x600";
-    return key == "depth" ? "1,4,8" : "all";
+    return key == "depth" ? "1,4,8" : "off," + textOf(*findSetting(key), {}); // shadows
 }
 
 std::vector<std::string> wordsOf(const SettingRow& row, const std::string& text) {
