@@ -17,7 +17,7 @@
 
 namespace gnomon {
 
-enum ExitCode { kDone = 0, kInputWrong = 1, kCommandLineWrong = 2, kNoGl = 3 };
+enum ExitCode { kDone = 0, kInputWrong = 1, kCommandLineWrong = 2, kNoGl = 3, kInterrupted = 130 };
 
 /// Work a command line asks for; answers the exit code.
 using Task = std::function<int()>;

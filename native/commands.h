@@ -7,7 +7,9 @@ namespace gnomon {
 
 void addView(CLI::App&, Task& task);
 void addRender(CLI::App&, Task& task);
+void addBench(CLI::App&, Task& task);
 void addLab(CLI::App&, Task& task);
+void addReport(CLI::App&, Task& task);
 void addCheck(CLI::App&, Task& task);
 void addShader(CLI::App&, Task& task);
 void addScenes(CLI::App&, Task& task);

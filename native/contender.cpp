@@ -2,9 +2,6 @@
 
 #include "tracer/gl/gl.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace gnomon {
 namespace {
 
@@ -59,39 +56,31 @@ Image Contender::picture(const Settings& settings, const View& view, Problems& p
     return image;
 }
 
+bool takeRound(std::size_t entrants, int round, const std::function<void(std::size_t entrant)>& turn,
+               LabProgress& progress) {
+    for (std::size_t i = 0; i < entrants; ++i) {
+        if (LabProgress::interrupted()) return false;
+        turn(round % 2 == 0 ? i : entrants - 1 - i);
+        progress.step();
+    }
+    return true;
+}
+
 std::vector<std::vector<double>> race(std::span<const Entrant> entrants, int rounds, double (*clock)(),
                                       LabProgress& progress) {
     std::vector<std::vector<double>> times(entrants.size());
     for (int round = -1; round < rounds; ++round) {
         std::vector<double> seconds(entrants.size());
-        for (std::size_t i = 0; i < entrants.size(); ++i) {
-            // Forth and back, so that what grows during a round favours nobody.
-            const std::size_t turn = round % 2 == 0 ? i : entrants.size() - 1 - i;
-            if (entrants[turn].settings) entrants[turn].contender->use(*entrants[turn].settings);
-            seconds[turn] = entrants[turn].contender->draw(entrants[turn].view, clock);
-            if (!progress.step() && i + 1 < entrants.size()) return times;
-        }
+        const auto turn = [&](std::size_t i) {
+            const Entrant& entrant = entrants[i];
+            if (entrant.settings) entrant.contender->use(*entrant.settings);
+            seconds[i] = entrant.contender->draw(entrant.view, clock);
+        };
+        if (!takeRound(entrants.size(), round, turn, progress)) break;
         if (round < 0) continue;
         for (std::size_t i = 0; i < entrants.size(); ++i) times[i].push_back(seconds[i]);
     }
     return times;
-}
-
-Quartiles quartilesOf(std::vector<double> values) {
-    if (values.empty()) return {};
-    std::sort(values.begin(), values.end());
-    const auto at = [&](double share) {
-        const double place = share * double(values.size() - 1);
-        const std::size_t below = std::size_t(place), above = std::min(below + 1, values.size() - 1);
-        return values[below] + (place - double(below)) * (values[above] - values[below]);
-    };
-    return {at(0.25), at(0.5), at(0.75)};
-}
-
-Quartiles ratioOf(const std::vector<double>& times, const std::vector<double>& base) {
-    std::vector<double> ratios;
-    for (std::size_t i = 0; i < std::min(times.size(), base.size()); ++i) ratios.push_back(times[i] / base[i]);
-    return quartilesOf(std::move(ratios));
 }
 
 } // namespace gnomon

@@ -4,8 +4,10 @@
 
 #include "native/asset_folder.h"
 #include "native/lab_command.h"
+#include "tracer/lab/quartiles.h"
 #include "tracer/render/renderer.h"
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -39,6 +41,10 @@ class Contender {
     ProgramStats program_;
 };
 
+/// One turn of every entrant, forth in even rounds and back in odd ones, so that what grows during a round favours
+/// nobody. False once the user wants no more: the entrants left have had no turn.
+bool takeRound(std::size_t entrants, int round, const std::function<void(std::size_t entrant)>& turn, LabProgress&);
+
 struct Entrant {
     Contender* contender;
     View view;
@@ -48,12 +54,5 @@ struct Entrant {
 /// Seconds of each entrant in each round, once an unmeasured frame has been drawn. Only whole rounds: fewer, or none,
 /// where the user wants no more.
 std::vector<std::vector<double>> race(std::span<const Entrant>, int rounds, double (*clock)(), LabProgress&);
-
-struct Quartiles {
-    double low = 0, median = 0, high = 0;
-};
-Quartiles quartilesOf(std::vector<double> values);
-/// Of one entrant's times to another's, round by round: what drifts from round to round cancels.
-Quartiles ratioOf(const std::vector<double>& times, const std::vector<double>& base);
 
 } // namespace gnomon

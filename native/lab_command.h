@@ -17,26 +17,42 @@ struct LabOptions {
 };
 void addLabOptions(CLI::App& command, LabOptions&);
 void checkLabOptions(const LabOptions&, Problems&);
+/// Just --json and --html; a problem for each that cannot be written, before anything is measured.
+void addFileOptions(CLI::App& command, LabOptions&);
+void checkFileOptions(const LabOptions&, Problems&);
 
 /// ` --NAME=A,B,…` for a command that makes the same numbers again; empty where there are no values.
 std::string listOption(const std::string& name, const std::vector<std::string>& values);
 
+/// The current context draws with the processor.
+bool drawnByProcessor();
 /// Seconds as they are counted for the current context: of the process where the processor draws, else on the wall.
 double (*labClock())();
 /// What labClock() counts, in words.
 std::string labClockName();
 
-/// Says on a terminal what is left to do, and hears Ctrl-C; the second one ends the program.
+/// Mesa and others keep compiled shaders on disk: what compiling takes would depend on what was run before. To be
+/// called before there is a context.
+void compileFromNothing();
+
+/// Says what is left to do, on a terminal in one line, else a line every ten seconds; hears Ctrl-C, of which the second
+/// one ends the program.
 class LabProgress {
   public:
-    explicit LabProgress(std::size_t all);
+    /// `done` stands before the counts. No time left is told beyond `deadline` on the monotonic clock.
+    explicit LabProgress(std::size_t all, std::string done = "done", double deadline = 1e300);
+    ~LabProgress();
+    LabProgress(const LabProgress&) = delete;
+    LabProgress& operator=(const LabProgress&) = delete;
+
     /// One more is done. False once the user wants no more: what is done is to be kept.
     bool step();
     static bool interrupted();
 
   private:
     std::size_t done_ = 0, all_;
-    double started_;
+    std::string what_;
+    double started_, told_, deadline_;
 };
 
 /// The environment, before the first number.

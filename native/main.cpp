@@ -93,10 +93,12 @@ int main(int argc, char** argv) {
     app.name("gnomon");
     app.set_version_flag("--version", "gnomon " GNOMON_VERSION);
     app.require_subcommand(0, 1);
-    app.footer("`gnomon [SCENE]` is short for `gnomon view [SCENE]`; the first scene is lite.\n"
-               "Exit codes: 0 done, 1 the input is wrong, 2 the command line is wrong, 3 no usable GL.");
+    app.footer(
+        "`gnomon [SCENE]` is short for `gnomon view [SCENE]`; the first scene is lite.\n"
+        "Exit codes: 0 done, 1 the input is wrong, 2 the command line is wrong, 3 no usable GL, 130 interrupted.");
     Task task;
-    for (const auto add : {addView, addRender, addLab, addCheck, addShader, addScenes, addSettingsList, addInfo})
+    for (const auto add :
+         {addView, addRender, addBench, addLab, addReport, addCheck, addShader, addScenes, addSettingsList, addInfo})
         add(app, task);
     allowExtras(app);
 

@@ -2,6 +2,7 @@
 
 #include "native/report_files.h"
 
+#include <filesystem>
 #include <fstream>
 
 namespace gnomon {
@@ -20,13 +21,28 @@ void put(std::string& page, const std::string& mark, const std::string& text) {
 
 } // namespace
 
-std::string toHtml(const Results& results) {
+std::string toHtml(std::span<const Results> runs) {
+    std::string list;
+    for (const Results& run : runs) list += (list.empty() ? "[" : ",\n") + toJson(run);
     std::string page(reportFile("report.html"));
     put(page, "/*style*/", std::string(reportFile("report.css")));
     put(page, "/*chart*/", std::string(reportFile("chart.min.js")));
     put(page, "/*report*/", std::string(reportFile("report.js")));
-    put(page, "/*results*/", inScript(toJson(results)));
+    put(page, "/*results*/", inScript(list + "]"));
     return page;
+}
+
+bool checkTextFile(const std::string& file, Problems& problems) {
+    const std::filesystem::path path(file), folder = path.parent_path();
+    std::error_code ignored;
+    const auto refuse = [&](const std::string& what, const char* remedy) {
+        problems.push_back({file, 0, {}, what, remedy});
+        return false;
+    };
+    if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
+        return refuse("there is no folder " + folder.string(), "make it first");
+    if (std::filesystem::is_directory(path, ignored)) return refuse("is a folder", "name a file");
+    return true;
 }
 
 bool writeText(const std::string& file, const std::string& text, Problems& problems) {

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 
 namespace gnomon {
 
@@ -112,8 +111,7 @@ int labTrace(const TraceOptions& options) {
     if (!problems.empty()) return fail(kCommandLineWrong, problems);
     const std::vector<Loaded> scenes = loadScenes(options.scenes, problems);
     if (!problems.empty()) return fail(kInputWrong, problems);
-    // Mesa keeps compiled shaders on disk: what compiling takes would depend on what was run before.
-    for (const char* name : {"MESA_SHADER_CACHE_DISABLE", "MESA_GLSL_CACHE_DISABLE"}) setenv(name, "true", 1);
+    compileFromNothing();
     const ContextKind kind = *contextNamed(options.lab.context);
     const auto context = makeContext(kind, problems);
     if (!context) return fail(kNoGl, problems);

@@ -153,6 +153,92 @@ TEST_F(Cli, LabTraceRefusesWhatItDoesNotKnow) {
     expectRefused("lab trace --context=metal", 2, "osmesa|egl|window");
 }
 
+TEST_F(Cli, BenchMeasuresEveryCombinationAndWritesItsNumbers) {
+    const Answer run =
+        gnomon("bench lite --depths=1,4 --shadows=off,hard --sizes=32x24 --repeats=3 --context=osmesa,egl "
+               "--baseline=shadows=off --json=all.json --html=all.html");
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_EQ(run.err, "");
+    const auto results = nlohmann::json::parse(readText(folder_ / "all.json"));
+    EXPECT_EQ(results["command"], "gnomon bench lite --context=osmesa,egl --depth=1,4 --shadows=off,hard --size=32x24 "
+                                  "--baseline=shadows=off --repeats=3");
+    EXPECT_EQ(results["environment"]["rounds"], "osmesa 3 of 3, egl 3 of 3");
+    const auto& table = results["tables"][0];
+    EXPECT_EQ(table["rows"].size(), 8U) << "two contexts, depths and kinds of shadows";
+    for (const char* key : {"fps", "frame", "frame_low", "frame_high", "frame_yards", "cpu", "ratio", "compile",
+                            "first", "source", "rounds"})
+        EXPECT_EQ(emptyIn(table, key), 0) << key;
+    for (const auto& column : table["columns"]) EXPECT_NE(column["key"], "gpu") << "llvmpipe has no GPU to time";
+    EXPECT_EQ(results["charts"].size(), 2U) << "one for each context";
+    EXPECT_NE(readText(folder_ / "all.html").find("gnomon-results"), std::string::npos);
+}
+
+TEST_F(Cli, BenchRefusesWhatItDoesNotKnow) {
+    expectRefused("bench lit", 1, "there is no scene 'lit'; did you mean 'lite'?");
+    expectRefused("bench --depths=1,9", 2, "depth: 9 is out of range; use 1…8");
+    expectRefused("bench --shadows=off,haard", 2, "did you mean 'hard'?");
+    expectRefused("bench --size=800", 2, "use WIDTHxHEIGHT, as 800x600");
+    expectRefused("bench --shadow=off", 2, "did you mean --shadows?");
+    expectRefused("bench --repeats=0", 2, "repeats: 0 is out of range; use 1…10000");
+    expectRefused("bench --limit=0", 2, "limit: 0 is out of range");
+    expectRefused("bench --context=osmesa,metal", 2, "'metal' is none of osmesa|egl|window");
+    expectRefused("bench --baseline=depth=2", 2, "depth is never '2' here");
+    expectRefused("bench --json=none/all.json", 2, "none/all.json: there is no folder none; make it first");
+    expectRefused("bench lite --eye=1,2,3 --target=1,2,3", 2, "the camera looks at its own place");
+    expectRefused("bench lite --context=osmesa,window", 3, "leave window out of --context");
+}
+
+TEST_F(Cli, BenchKeepsWhatItMeasuredWhereItIsInterrupted) {
+    const Answer run = gnomon("bench lite --depth=1 --shadows=off --size=32x24 --repeats=10000 --json=all.json",
+                              "timeout --preserve-status --signal=INT 8 env -u DISPLAY -u WAYLAND_DISPLAY");
+    EXPECT_EQ(run.code, 130) << run.err;
+    EXPECT_NE(run.out.find("Interrupted: what was measured is kept."), std::string::npos) << run.out;
+    const auto results = nlohmann::json::parse(readText(folder_ / "all.json"));
+    EXPECT_NE(results["environment"]["rounds"].get<std::string>().find("of 10000; interrupted"), std::string::npos);
+    ASSERT_EQ(results["tables"][0]["rows"].size(), 1U);
+    EXPECT_EQ(emptyIn(results["tables"][0], "frame"), 0);
+    EXPECT_EQ(gnomon("report all.json -o all.html").code, 0) << "what was kept is complete";
+}
+
+TEST_F(Cli, BenchEndsByItsLimitAfterAWholeRound) {
+    const Answer run =
+        gnomon("bench lite --depth=1 --shadows=off --size=32x24 --repeats=10000 --limit=3 --json=all.json");
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_NE(run.out.find("; ended by --limit=3"), std::string::npos) << run.out;
+}
+
+TEST_F(Cli, ReportMakesOnePageOfSeveralRunsAndComparesTwo) {
+    for (const char* file : {"old.json", "new.json"})
+        ASSERT_EQ(
+            gnomon(std::string("bench lite --depth=1 --shadows=off,hard --size=32x24 --repeats=5 --json=") + file).code,
+            0);
+    EXPECT_EQ(gnomon("report old.json new.json -o both.html").out, "both.html written\n");
+    const Answer run = gnomon("report --against old.json new.json --json=change.json -o change.html");
+    EXPECT_EQ(run.code, 0) << run.err;
+    EXPECT_NE(run.out.find("Frames a second: frame: "), std::string::npos) << run.out;
+    const auto change = nlohmann::json::parse(readText(folder_ / "change.json"));
+    EXPECT_EQ(change["command"], "gnomon report --against old.json new.json --tolerance=5");
+    EXPECT_EQ(change["tables"][0]["columns"].back()["key"], "verdict");
+    EXPECT_EQ(emptyIn(change["tables"][0], "ratio"), 0);
+    EXPECT_TRUE(fs::exists(folder_ / "change.html"));
+}
+
+TEST_F(Cli, ReportRefusesFilesThatAreNoResults) {
+    write("scene.json", kScene);
+    write("cut.json", "{\n\"format\": \"gnomon-results\",\n\"version\": 1,\n\"title\": [\n");
+    write("number.json", "{\n\"format\": \"gnomon-results\",\n\"version\": 1,\n\"title\": 3\n}");
+    expectRefused("report scene.json -o x.html", 1, "scene.json:1: this is no file of results; give a file that");
+    expectRefused("report cut.json -o x.html", 1, "cut.json:");
+    expectRefused("report number.json -o x.html", 1, "number.json:4: title: has to be a string, not a number");
+    expectRefused("report none.json -o x.html", 1, "none.json: cannot be read");
+    expectRefused("report . -o x.html", 1, ".: is a folder");
+    expectRefused("report number.json", 2, "use -o report.html, or --against OLD.json");
+    expectRefused("report --against scene.json", 2, "FILES is required");
+    expectRefused("report --against scene.json cut.json number.json", 2, "2 files are held against it");
+    expectRefused("report number.json -o none/x.html", 2, "there is no folder none");
+    expectRefused("report --against scene.json number.json --tolerance=-1", 2, "use 0…99 per cent");
+}
+
 TEST_F(Cli, LabSaysWhereItCannotWrite) {
     const Answer run = gnomon("lab intersect --shapes=plane --distances=3 --rays=100 --json=none/all.json");
     EXPECT_EQ(run.code, 1);
@@ -314,7 +400,7 @@ TEST_F(Cli, ListsScenesSettingsAndGlAsTextAndAsJson) {
 TEST_F(Cli, ExplainsEveryCommandAndSetting) {
     const Answer all = gnomon("--help");
     EXPECT_EQ(all.code, 0);
-    for (const char* command : {"view", "render", "check", "shader", "scenes", "settings", "info"}) {
+    for (const char* command : {"view", "render", "bench", "report", "check", "shader", "scenes", "settings", "info"}) {
         EXPECT_NE(all.out.find(command), std::string::npos);
         EXPECT_EQ(gnomon(std::string(command) + " --help").code, 0) << command;
     }

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -28,7 +29,11 @@ Json jsonOf(const Table& table) {
         for (const Cell& cell : row) cells.push_back(jsonOf(cell));
         rows.push_back(std::move(cells));
     }
-    return {{"name", table.name}, {"title", table.title}, {"columns", std::move(columns)}, {"rows", std::move(rows)}};
+    Json all{{"name", table.name}, {"title", table.title}};
+    if (table.keys > 0) all["keys"] = table.keys;
+    all["columns"] = std::move(columns);
+    all["rows"] = std::move(rows);
+    return all;
 }
 
 Json jsonOf(const Chart& chart) {
@@ -38,6 +43,45 @@ Json jsonOf(const Chart& chart) {
     return {{"title", chart.title},   {"table", chart.table}, {"x", chart.x},   {"y", y},
             {"series", chart.series}, {"facet", chart.facet}, {"where", where}, {"log_x", chart.logX},
             {"log_y", chart.logY}};
+}
+
+/// Three digits, but never fewer than there are before the point.
+std::string brief(const Cell& cell) {
+    const auto* number = std::get_if<double>(&cell);
+    if (!number || !std::isfinite(*number)) return shown(cell);
+    const double size = std::abs(*number);
+    const bool whole = *number == std::floor(*number) || (size >= 100 && size < 1e9);
+    const bool middling = size >= 1 && size < 1e9;
+    char digits[40];
+    if (middling)
+        std::snprintf(digits, sizeof digits, "%.*f", whole ? 0 : size >= 10 ? 1 : 2, *number);
+    else
+        std::snprintf(digits, sizeof digits, whole ? "%.0f" : "%.3g", *number);
+    return digits;
+}
+
+std::size_t widthOf(const std::string& utf8) {
+    return std::size_t(std::count_if(utf8.begin(), utf8.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+/// Heading, rule and cells of a column, all of one width; numbers to the right.
+std::vector<std::string> markdownColumn(const Table& table, std::size_t at) {
+    const Column& column = table.columns[at];
+    const auto quartiles = quartileColumns(table, at);
+    std::vector<std::string> lines{column.title + (column.unit.empty() ? "" : ", " + column.unit), ""};
+    bool words = true;
+    for (const auto& row : table.rows) {
+        const bool known = !std::holds_alternative<std::monostate>(row[at]);
+        words = words && (!known || std::holds_alternative<std::string>(row[at]));
+        std::string text = brief(row[at]);
+        if (quartiles && known) text += " (" + brief(row[quartiles->low]) + "…" + brief(row[quartiles->high]) + ")";
+        lines.push_back(std::move(text));
+    }
+    std::size_t width = 3;
+    for (const std::string& line : lines) width = std::max(width, widthOf(line));
+    for (std::string& line : lines) line.insert(words ? line.size() : 0, width - widthOf(line), ' ');
+    lines[1] = std::string(width - !words, '-') + (words ? "" : ":");
+    return lines;
 }
 
 } // namespace
@@ -53,23 +97,30 @@ std::string toJson(const Results& results) {
     return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+std::optional<QuartileColumns> quartileColumns(const Table& table, std::size_t column) {
+    const auto find = [&](const std::string& key) {
+        const auto found = std::find_if(table.columns.begin(), table.columns.end(),
+                                        [&](const Column& other) { return other.key == key; });
+        return std::size_t(found - table.columns.begin());
+    };
+    const std::string& key = table.columns[column].key;
+    const QuartileColumns at{find(key + "_low"), find(key + "_high")};
+    return std::max(at.low, at.high) < table.columns.size() ? std::optional(at) : std::nullopt;
+}
+
 std::string toMarkdown(const Table& table) {
-    std::string head = "|", rule = "|", text;
-    for (const Column& column : table.columns) {
-        head += " " + column.title + (column.unit.empty() ? "" : ", " + column.unit) + " |";
-        rule += "---|";
+    std::vector<bool> quartiles(table.columns.size());
+    for (std::size_t i = 0; i < table.columns.size(); ++i)
+        if (const auto at = quartileColumns(table, i)) quartiles[at->low] = quartiles[at->high] = true;
+    std::vector<std::vector<std::string>> columns;
+    for (std::size_t i = 0; i < table.columns.size(); ++i)
+        if (!quartiles[i]) columns.push_back(markdownColumn(table, i));
+    std::string text;
+    for (std::size_t line = 0; line < table.rows.size() + 2; ++line) {
+        for (const auto& column : columns) text += "| " + column[line] + " ";
+        text += "|\n";
     }
-    for (const auto& row : table.rows) {
-        text += "|";
-        for (const Cell& cell : row) {
-            const auto* number = std::get_if<double>(&cell);
-            char digits[40];
-            if (number) std::snprintf(digits, sizeof digits, *number == std::floor(*number) ? "%.0f" : "%.3g", *number);
-            text += " " + (number ? std::string(digits) : shown(cell)) + " |";
-        }
-        text += "\n";
-    }
-    return head + "\n" + rule + "\n" + text;
+    return text;
 }
 
 std::string shown(const Cell& cell) {

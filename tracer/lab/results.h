@@ -3,6 +3,8 @@
 /// A table says all that was measured; a chart only says which of its columns to draw against each other.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
@@ -23,7 +25,14 @@ struct Table {
     std::string name, title;
     std::vector<Column> columns;
     std::vector<std::vector<Cell>> rows;
+    int keys = 0; ///< so many of the first columns say what a row is of; 0: not told
 };
+
+/// Where the quartiles of a column stand whose values are medians: the columns KEY_low and KEY_high.
+struct QuartileColumns {
+    std::size_t low, high;
+};
+std::optional<QuartileColumns> quartileColumns(const Table&, std::size_t column);
 
 /// Lines of the columns `y` over `x`, one for each of `series`, small multiples by `facet`; rows are those where every
 /// `where` holds.
@@ -50,7 +59,7 @@ struct Results {
 /// UTF-8 JSON of docs/results.md's format.
 std::string toJson(const Results&);
 
-/// The table as Markdown, numbers in two or three digits.
+/// The table as Markdown, numbers in two or three digits, quartiles behind their median; lined up for a terminal.
 std::string toMarkdown(const Table&);
 
 /// A number as a table shows it: four digits, no trailing zeros.

@@ -1,0 +1,168 @@
+#include "native/bench_tables.h"
+
+#include "tracer/lab/quartiles.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+namespace gnomon {
+namespace {
+
+constexpr double kMs = 1e3; // in a second
+
+void appendColumn(const Column& column, Table& table) {
+    table.columns.push_back(column);
+    table.columns.push_back({column.key + "_low", column.title + ", lower quartile", column.unit, "Of the rounds"});
+    table.columns.push_back({column.key + "_high", column.title + ", upper quartile", column.unit, "Of the rounds"});
+}
+
+Table emptyTable(const BenchPlan& plan, bool gpuTimed) {
+    Table table{"bench", "Frames a second", {}, {}};
+    table.columns = {{"scene", "scene", "", "Name or file"}, {"context", "context", "", "Where GL comes from"}};
+    for (const Axis& axis : plan.axes) {
+        const std::string key(axis.setting->key);
+        table.columns.push_back(
+            {key, key, axis.setting->key == "size" ? "pixels" : "", std::string(axis.setting->help)});
+    }
+    table.keys = int(table.columns.size());
+    table.columns.push_back({"fps", "FPS", "1/s", "One over the median frame"});
+    appendColumn(
+        {"frame", "frame", "ms", "Wall clock, from asking for a frame to its last pixel: median of the rounds"}, table);
+    appendColumn({"frame_yards", "frame", "yardsticks",
+                  "The frame beside a fixed picture drawn right before and after it: median of the rounds. By the "
+                  "CPU's time where the processor draws. What slows the machine slows both; runs are compared by it"},
+                 table);
+    appendColumn({"cpu", "CPU", "ms", "CPU time of a frame, all threads together: median of the rounds"}, table);
+    if (gpuTimed) table.columns.push_back({"gpu", "GPU", "ms", "By the GL's own timer: median of the rounds"});
+    appendColumn({"ratio", "ratio", plan.baselineText + " = 1",
+                  "Of the frame's time to the baseline's in the same round: median of the rounds"},
+                 table);
+    table.columns.push_back({"compile", "compile", "ms", "Compiled, linked and drawn as one pixel, nothing cached"});
+    table.columns.push_back({"first", "first frame", "ms", "The first frame of full size after that"});
+    table.columns.push_back({"source", "source", "bytes", "Of the specialised shader"});
+    table.columns.push_back({"rounds", "rounds", "", "Measured"});
+    table.columns.push_back({"passes", "passes", "", "Programs were compiled anew so often for the rounds"});
+    return table;
+}
+
+/// Median and quartiles, or nothing where nothing was measured.
+void appendQuartiles(const Quartiles& quartiles, bool known, double unit, std::vector<Cell>& row) {
+    for (const double value : {quartiles.low, quartiles.median, quartiles.high})
+        row.push_back(known ? Cell(unit * value) : Cell{});
+    std::swap(row[row.size() - 3], row[row.size() - 2]); // the median comes first
+}
+
+/// Words, but the numbers of whole-number settings as numbers: charts draw over them.
+Cell valueCell(const Axis& axis, const std::string& value) {
+    return std::holds_alternative<IntType>(axis.setting->type) ? Cell(double(std::stoi(value))) : Cell(value);
+}
+
+std::vector<Cell> rowOf(const BenchPlan& plan, const ContextCosts& context, std::size_t entry, bool gpuTimed) {
+    const BenchCost &cost = context.costs[entry], &base = context.costs[plan.baselines[entry]];
+    std::vector<Cell> row{plan.scenes[plan.entries[entry].scene], context.context};
+    for (std::size_t i = 0; i < plan.axes.size(); ++i)
+        row.push_back(valueCell(plan.axes[i], plan.entries[entry].values[i]));
+    const Quartiles frame = quartilesOf(cost.wall);
+    const bool measured = !cost.wall.empty();
+    row.push_back(measured ? Cell(1 / frame.median) : Cell{});
+    appendQuartiles(frame, measured, kMs, row);
+    appendQuartiles(quartilesOf(cost.yards), measured, 1, row);
+    appendQuartiles(quartilesOf(cost.cpu), measured, kMs, row);
+    if (gpuTimed) row.push_back(cost.gpu.empty() ? Cell{} : Cell(kMs * quartilesOf(cost.gpu).median));
+    appendQuartiles(ratioOf(cost.wall, base.wall), measured && !base.wall.empty(), 1, row);
+    row.insert(row.end(),
+               {Cell(cost.program.compileMs), Cell(kMs * cost.firstSeconds), Cell(double(cost.program.sourceBytes)),
+                Cell(double(cost.wall.size())), Cell(double(cost.passes))});
+    return row;
+}
+
+using Where = std::vector<std::pair<std::string, std::string>>;
+
+/// Every combination of one more column's values with those before; a column of one value needs no saying.
+std::vector<Where> combined(const std::vector<Where>& before, const std::string& key,
+                            const std::vector<std::string>& values) {
+    if (values.size() < 2) return before;
+    std::vector<Where> all;
+    for (const Where& where : before)
+        for (const std::string& value : values) {
+            all.push_back(where);
+            all.back().emplace_back(key, value);
+        }
+    return all;
+}
+
+} // namespace
+
+Table benchTable(const BenchPlan& plan, const std::vector<ContextCosts>& contexts) {
+    const bool gpuTimed = std::any_of(contexts.begin(), contexts.end(), [](const ContextCosts& context) {
+        return std::any_of(context.costs.begin(), context.costs.end(),
+                           [](const BenchCost& cost) { return !cost.gpu.empty(); });
+    });
+    Table table = emptyTable(plan, gpuTimed);
+    for (const ContextCosts& context : contexts)
+        for (std::size_t i = 0; i < context.costs.size(); ++i)
+            if (context.costs[i].drawn) table.rows.push_back(rowOf(plan, context, i, gpuTimed));
+    return table;
+}
+
+Table briefTable(const Table& all) {
+    constexpr std::array<std::string_view, 8> kDropped{"context", "frame_yards", "cpu",    "gpu",
+                                                       "first",   "source",      "rounds", "passes"};
+    Table table{all.name, all.title, {}, std::vector<std::vector<Cell>>(all.rows.size())};
+    for (std::size_t i = 0; i < all.columns.size(); ++i) {
+        const std::string& key = all.columns[i].key;
+        const bool dropped = std::any_of(kDropped.begin(), kDropped.end(), [&](std::string_view name) {
+            return key == name || key == std::string(name) + "_low" || key == std::string(name) + "_high";
+        });
+        if (dropped) continue;
+        table.columns.push_back(all.columns[i]);
+        for (std::size_t row = 0; row < all.rows.size(); ++row) table.rows[row].push_back(all.rows[row][i]);
+    }
+    return table;
+}
+
+std::vector<Chart> benchCharts(const BenchPlan& plan, const std::vector<std::string>& contexts) {
+    const auto has = [&](const char* key) {
+        const auto axis =
+            std::find_if(plan.axes.begin(), plan.axes.end(), [&](const Axis& a) { return a.setting->key == key; });
+        return axis->values.size() > 1;
+    };
+    const bool lines = has("depth");
+    std::vector<Where> wheres = combined({{}}, "context", contexts);
+    for (const Axis& axis : plan.axes)
+        if (const std::string key(axis.setting->key); key != "depth" && key != "shadows")
+            wheres = combined(wheres, key, axis.values);
+    std::vector<Chart> charts;
+    for (const Where& where : wheres) {
+        Chart chart{lines ? "FPS over depth, by shadows" : "FPS by shadows",
+                    "bench",
+                    lines ? "depth" : "shadows",
+                    {{"fps", ""}},
+                    lines ? "shadows" : "",
+                    "scene",
+                    where};
+        for (const auto& [key, value] : where) chart.title += ", " + key + " " + value;
+        charts.push_back(std::move(chart));
+    }
+    return charts;
+}
+
+Environment mergedEnvironment(const std::vector<ContextCosts>& contexts) {
+    Environment merged;
+    for (const auto& [name, value] : contexts.empty() ? Environment{} : contexts.front().environment) {
+        std::string all;
+        bool same = true;
+        for (const ContextCosts& context : contexts) {
+            const auto found = std::find_if(context.environment.begin(), context.environment.end(),
+                                            [&, &key = name](const auto& entry) { return entry.first == key; });
+            const std::string other = found == context.environment.end() ? "unknown" : found->second;
+            same = same && other == value;
+            all += (all.empty() ? "" : "; ") + (name == "context" ? "" : context.context + ": ") + other;
+        }
+        merged.emplace_back(name, same ? value : all);
+    }
+    return merged;
+}
+
+} // namespace gnomon

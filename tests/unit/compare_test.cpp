@@ -1,0 +1,178 @@
+/// Two runs against each other: medians, noise, rows that belong together, and files that are none.
+#include "tracer/lab/compare.h"
+#include "tracer/lab/quartiles.h"
+#include "tracer/lab/read_results.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+namespace gnomon {
+namespace {
+
+TEST(Quartiles, LieBetweenValues) {
+    const Quartiles four = quartilesOf({4, 1, 3, 2});
+    EXPECT_DOUBLE_EQ(four.low, 1.75);
+    EXPECT_DOUBLE_EQ(four.median, 2.5);
+    EXPECT_DOUBLE_EQ(four.high, 3.25);
+    const Quartiles one = quartilesOf({7});
+    EXPECT_EQ(one.low, 7);
+    EXPECT_EQ(one.high, 7);
+}
+
+TEST(Quartiles, RatiosCancelWhatDrifts) {
+    const Quartiles ratio = ratioOf({2, 20, 200, 5}, {1, 10, 100});
+    EXPECT_EQ(ratio.low, 2);
+    EXPECT_EQ(ratio.high, 2);
+}
+
+TEST(Quartiles, NotchesBoundTheRatioOfMedians) {
+    const Ratio ratio = ratioOfMedians({9, 10, 11}, 4, {4, 5, 6}, 16); // notches 1.57 and 0.785
+    EXPECT_DOUBLE_EQ(ratio.value, 2);
+    EXPECT_DOUBLE_EQ(ratio.low, (10 - 1.57) / (5 + 0.785));
+    EXPECT_DOUBLE_EQ(ratio.high, (10 + 1.57) / (5 - 0.785));
+    EXPECT_EQ(ratioOfMedians({1, 1, 1}, 1, {0, 1, 9}, 1).high, std::numeric_limits<double>::infinity());
+}
+
+// What the header promises: of runs that do not differ few are told apart, of those that do by three spreads nearly
+// all.
+TEST(Quartiles, NotchesRarelyTellLikeRunsApart) {
+    std::mt19937 random(1);
+    std::normal_distribution<double> noise(0, 1);
+    const auto run = [&](double mean) {
+        std::vector<double> times(15);
+        for (double& time : times) time = mean + noise(random);
+        return quartilesOf(times);
+    };
+    int alike = 0, unlike = 0;
+    constexpr int kPairs = 4000;
+    for (int i = 0; i < kPairs; ++i) {
+        const Ratio same = ratioOfMedians(run(100), 15, run(100), 15),
+                    other = ratioOfMedians(run(103), 15, run(100), 15);
+        alike += same.low > 1 || same.high < 1;
+        unlike += other.low > 1;
+    }
+    EXPECT_LT(alike, 0.05 * kPairs);
+    EXPECT_GT(unlike, 0.99 * kPairs);
+}
+
+/// Rows of scene, depth and a frame with quartiles and yardsticks.
+Table runTable(const std::vector<std::vector<Cell>>& rows) {
+    Table table{"bench", "Bench", {}, rows, 2};
+    table.columns = {{"scene", "scene", "", ""},
+                     {"depth", "depth", "", ""},
+                     {"frame", "frame", "ms", ""},
+                     {"frame_low", "", "ms", ""},
+                     {"frame_high", "", "ms", ""},
+                     {"frame_yards", "frame", "yardsticks", ""},
+                     {"frame_yards_low", "", "yardsticks", ""},
+                     {"frame_yards_high", "", "yardsticks", ""},
+                     {"cpu", "cpu", "ms", ""},
+                     {"cpu_low", "", "ms", ""},
+                     {"cpu_high", "", "ms", ""},
+                     {"passes", "passes", "", ""}};
+    return table;
+}
+std::vector<Cell> row(const std::string& scene, double depth, double frame, double yards) {
+    return {scene, depth, frame, frame, frame, yards, 0.99 * yards, 1.01 * yards, 1.0, 1.0, 1.0, 4.0};
+}
+Results run(const std::vector<std::vector<Cell>>& rows) { return {"T", "c", {{"gl", "4.5"}}, {runTable(rows)}, {}}; }
+
+Results compared(const Results& before, const Results& after) {
+    Problems problems;
+    Results all = compareRuns(before, after, 0.05, problems);
+    EXPECT_TRUE(problems.empty()) << toString(problems);
+    return all;
+}
+
+TEST(Compare, MatchesRowsByTheirKeysAndTellsRatiosInYardsticks) {
+    const Results all = compared(run({row("lite", 1, 10, 1), row("lite", 4, 20, 2), row("pro", 1, 40, 4)}),
+                                 run({row("lite", 4, 10, 2.06), row("lite", 1, 10, 2), row("new", 1, 10, 1)}));
+    ASSERT_EQ(all.tables.size(), 1U) << "CPU times have no yardsticks beside them";
+    const Table& table = all.tables.front();
+    ASSERT_EQ(table.rows.size(), 2U);
+    for (const auto& cells : table.rows) EXPECT_EQ(cells.size(), table.columns.size());
+    EXPECT_EQ(table.rows[0][1], Cell(4.0));
+    EXPECT_EQ(table.rows[0][2], Cell(20.0)) << "old";
+    EXPECT_EQ(table.rows[0][5], Cell(10.0)) << "new";
+    EXPECT_EQ(table.rows[0][8], Cell(1.03));
+    EXPECT_EQ(table.rows[0].back(), Cell("the same within noise"));
+    EXPECT_EQ(table.rows[1][8], Cell(2.0));
+    EXPECT_EQ(table.rows[1].back(), Cell("slower"));
+    EXPECT_EQ(comparisonSummary(all), "Bench: frame: 0 faster, 1 slower, 1 the same within noise\n");
+    const Environment told{{"gl", "4.5"}, {"rows only in old", "1 of bench"}, {"rows only in new", "1 of bench"}};
+    EXPECT_EQ(all.environment, told);
+}
+
+TEST(Compare, CallsFasterOnlyWhatIsBeyondNoiseAndTolerance) {
+    const auto verdict = [](double yards) {
+        return std::get<std::string>(
+            compared(run({row("a", 1, 1, 1)}), run({row("a", 1, 1, yards)})).tables[0].rows[0].back());
+    };
+    EXPECT_EQ(verdict(0.96), "the same within noise") << "beyond the notches' 3.2 %, within the tolerance of 5 %";
+    EXPECT_EQ(verdict(0.94), "faster");
+    EXPECT_EQ(verdict(1.06), "slower");
+}
+
+TEST(Compare, SaysWhatDiffersBetweenTheMachines) {
+    Results before = run({row("a", 1, 1, 1)}), after = before;
+    after.environment = {{"gl", "4.6"}};
+    EXPECT_EQ(compared(before, after).environment, (Environment{{"gl", "4.5 → 4.6"}}));
+}
+
+TEST(Compare, RefusesWhatCannotBeMatched) {
+    Problems twice, nothing;
+    compareRuns(run({row("a", 1, 1, 1), row("a", 1, 2, 2)}), run({row("a", 1, 1, 1)}), 0, twice);
+    EXPECT_NE(toString(twice).find("several rows are \"a, 1\""), std::string::npos) << toString(twice);
+    compareRuns(run({row("a", 1, 1, 1)}), run({row("b", 1, 1, 1)}), 0, nothing);
+    EXPECT_NE(toString(nothing).find("no row of times in common"), std::string::npos) << toString(nothing);
+}
+
+TEST(ReadResults, TakesBackWhatWasWritten) {
+    Results results = run({row("lite", 1, 0.1, 1e300), row("a \"b\" → c", -4, 20, 2)});
+    results.tables[0].rows[1][2] = Cell{};
+    results.charts = {{"C", "bench", "depth", {{"frame", "x"}}, "", "scene", {{"scene", "lite"}}, true, false}};
+    Problems problems;
+    const auto read = readResults(toJson(results), "f", problems);
+    ASSERT_TRUE(read) << toString(problems);
+    EXPECT_EQ(toJson(*read), toJson(results));
+    EXPECT_EQ(read->tables[0].rows, results.tables[0].rows);
+}
+
+/// The one problem of a text.
+std::string fault(const std::string& text) {
+    Problems problems;
+    EXPECT_FALSE(readResults(text, "f.json", problems));
+    EXPECT_EQ(problems.size(), 1U);
+    return toString(problems.front());
+}
+std::string broken(const std::string& from, const std::string& to) {
+    Results results = run({row("lite", 1, 1, 1)});
+    results.charts = {{"C", "bench", "depth", {{"frame", ""}}, "", "", {}, false, false}};
+    std::string text = toJson(results);
+    const auto at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return fault(text.replace(at, from.size(), to));
+}
+
+TEST(ReadResults, SaysLineAndPlaceOfTheFirstThingWrong) {
+    EXPECT_EQ(fault(" \n"), "f.json: the file is empty; write it anew with --json=FILE");
+    EXPECT_EQ(fault("{\n\"format\": \"gnomon-results\",\n").rfind("f.json:", 0), 0U);
+    EXPECT_NE(fault("{\"objects\": []}").find("f.json:1: this is no file of results"), std::string::npos);
+    EXPECT_NE(fault("[1]").find("this is no file of results"), std::string::npos);
+    EXPECT_NE(broken("\"version\": 1", "\"version\": 2").find("f.json:3: version: version 2"), std::string::npos);
+    EXPECT_NE(broken("\"title\": \"T\"", "\"title\": 3").find("f.json:4: title: has to be a string, not a number"),
+              std::string::npos);
+    EXPECT_NE(broken("\"keys\": 2", "\"keys\": 99").find("tables[0].keys: 99 is no number of columns"),
+              std::string::npos);
+    EXPECT_NE(broken("\"lite\",", "").find("tables[0].rows[0]: the row has 11 cells, the table 12 columns"),
+              std::string::npos);
+    EXPECT_NE(broken("\"lite\"", "[]").find("tables[0].rows[0][0]: a list is no number, text or null"),
+              std::string::npos);
+    EXPECT_NE(broken("\"x\": \"depth\"", "\"x\": \"width\"").find("charts[0].x: table \"bench\" has no column"),
+              std::string::npos);
+    EXPECT_NE(broken("\"command\"", "\"comand\"").find("command: is missing"), std::string::npos);
+}
+
+} // namespace
+} // namespace gnomon
