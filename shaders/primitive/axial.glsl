@@ -89,3 +89,29 @@ void wrapAround(inout Surface surface, Axis axis, vec3 outward, float radius, fl
     surface.tangent = cross(axis.along, outward);
 }
 #endif
+
+#if COVERS
+#include "shadow/outline.glsl"
+
+// The apex of the cone as seen from the middle of an axis: unit vectors towards it and beside it, across the axis.
+struct AxialView {
+    float along;
+    float away; // from the axis
+    vec3 towards;
+    vec3 beside;
+    vec3 toMiddle; // from the apex
+};
+
+AxialView axialView(Axis axis, vec3 apex) {
+    vec3 offset = (apex - axis.from) - axis.toMiddle;
+    float along = dot(offset, axis.along);
+    vec3 across = offset - along * axis.along;
+    vec3 towards = around(axis, across);
+    return AxialView(along, length(across), towards, cross(axis.along, towards), -offset);
+}
+
+// Around the axis at a place along it.
+Rim rimAround(LightCone cone, AxialView view, vec3 along, float radius, float from, float sweep) {
+    return Rim(across(cone, view.toMiddle + along), across(cone, radius * view.towards), across(cone, radius * view.beside), from, sweep);
+}
+#endif

@@ -1,4 +1,4 @@
-// Box: the points within half_size of the centre along each of the axes x, y, z.
+// Box: the points within nearHalfsize of the centre along each of the axes x, y, z.
 //
 // ballBox       the ball through its corners
 // distanceBox   gradient and signed distance; where faces are equally near, x before y before z
@@ -82,3 +82,46 @@ Surface surfaceBox(Box box, Ray ray, float t) {
 #endif
     return surface;
 }
+
+#if COVERS
+#include "shadow/outline.glsl"
+
+// Corner i of the outline that the apex sees, as signs; towards it they are +. Six corners round the one nearest to the apex;
+// those of them that are on no face that it sees move onto one.
+vec3 outlineCorner(int i, vec3 sees) {
+    vec3 corner = 2.0 * vec3((ivec3(35, 14, 56) >> i) & 1) - 1.0;
+    return dot(max(corner, 0.0), sees) > 0.0 ? corner : max(corner, 2.0 * sees - 1.0);
+}
+
+// Corner i of the face across axis `face`.
+vec3 faceCorner(int i, int face) {
+    vec3 corner = vec3(1.0, 2.0 * float((6 >> i) & 1) - 1.0, 2.0 * float((12 >> i) & 1) - 1.0);
+    return face == 0 ? corner : (face == 1 ? corner.zxy : corner.yzx);
+}
+
+// By its outline, or by the faces that the apex sees where the plane of the light's disc cuts them.
+Cover coverBox(Box box, LightCone cone) {
+    vec3 offset = cone.apex - box.center;
+    vec3 sees = vec3(greaterThan(abs(offset), box.halfSize));
+    if (sees == vec3(0.0)) return coverFromInside();
+    vec3 nearHalf = box.halfSize * (1.0 - 2.0 * vec3(lessThan(offset, vec3(0.0))));
+    float middle = -dot(offset, cone.axes[2]);
+    float reach = dot(box.halfSize, abs(cone.axes[2]));
+    if (middle - reach >= cone.distance) return coverNothing();
+    bool whole = middle + reach < cone.distance;
+    int corners = whole ? 6 : 4;
+    Outline outline = startOutline(vec3(0.0));
+    for (int face = 0; face < (whole ? 1 : 3); ++face) {
+        bool drawn = whole || sees[face] > 0.0;
+        outline.begun = false;
+        outline.at = across(cone, nearHalf * (whole ? outlineCorner(0, sees) : faceCorner(0, face)) - offset);
+        for (int i = 1; i <= (drawn ? corners : 0); ++i) {
+            int at = i == corners ? 0 : i;
+            vec3 corner = whole ? outlineCorner(at, sees) : faceCorner(at, face);
+            edgeTo(outline, across(cone, nearHalf * corner - offset), 0.0);
+        }
+        closeOutline(outline);
+    }
+    return coverOf(outline);
+}
+#endif

@@ -69,3 +69,36 @@ Surface surfaceCapsule(Capsule capsule, Ray ray, float t) {
 #endif
     return surface;
 }
+
+#if COVERS
+#include "shadow/outline.glsl"
+
+// The circle where the light's rays touch the ball about one end: `outward` leads from the other end to it.
+Rim touchedRim(LightCone cone, AxialView view, vec3 end, vec3 outward, float radius, float share) {
+    vec3 m = view.toMiddle + end;
+    float square = max(dot(m, m), 1e-30);
+    vec3 first = outward - (dot(outward, m) / square) * m;
+    first /= max(length(first), 1e-20);
+    float r = radius * sqrt(max(1.0 - radius * radius / square, 0.0));
+    float from = atan(sqrt(max(1.0 - share * share, 0.0)), share * dot(view.towards, first)); // where the straight edge begins
+    vec3 center = m * (1.0 - radius * radius / square);
+    return Rim(across(cone, center), across(cone, r * first), across(cone, r * view.beside), -from, 2.0 * from);
+}
+
+// The balls about its ends, each by the arc on its own side of the edges that touch both.
+Cover coverCapsule(Capsule capsule, LightCone cone) {
+    AxialView view = axialView(capsule.axis, cone.apex);
+    vec3 outward = view.along < 0.0 ? -capsule.axis.along : capsule.axis.along; // to the end nearer to the apex
+    vec3 end = capsule.axis.halfLength * outward;
+    float beyond = max(abs(view.along) - capsule.axis.halfLength, 0.0);
+    if (length(vec2(view.away, beyond)) <= capsule.radius) return coverFromInside();
+    bool alone = view.away <= capsule.radius; // one behind the other
+    float share = alone ? 1.0 : capsule.radius / view.away;
+    Rim one = touchedRim(cone, view, end, alone ? view.towards : outward, capsule.radius, share);
+    if (alone) one.sweep = 2.0 * kPi;
+    Rim other = touchedRim(cone, view, -end, -outward, capsule.radius, share);
+    other.from = -other.from;
+    other.sweep = -other.sweep;
+    return coverRims(one, other, alone);
+}
+#endif

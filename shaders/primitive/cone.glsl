@@ -113,3 +113,23 @@ Surface surfaceCone(Cone cone, Ray ray, float t) {
 #endif
     return surface;
 }
+
+#if COVERS
+#include "shadow/outline.glsl"
+
+// The base's rim, or what of it the side does not hide, and the apex.
+Cover coverCone(Cone cone, LightCone light) {
+    AxialView view = axialView(cone.axis, light.apex);
+    vec2 angle = coneAngle(cone);
+    float below = cone.axis.halfLength - view.along;
+    float side = angle.x * below / max(angle.y * view.away, 1e-20); // cosine of where the side turns away
+    bool seesBase = below > 2.0 * cone.axis.halfLength;
+    if (side >= 1.0 && !seesBase) return coverFromInside();
+    bool alone = abs(side) >= 1.0;
+    float turn = alone ? kPi : acos(side);
+    vec3 end = cone.axis.halfLength * cone.axis.along;
+    Rim base = rimAround(light, view, -end, cone.radius, -turn, seesBase && !alone ? -2.0 * (kPi - turn) : 2.0 * turn);
+    Rim tip = rimAround(light, view, end, 0.0, 0.0, 0.0);
+    return coverRims(base, tip, alone);
+}
+#endif

@@ -69,3 +69,21 @@ Surface surfaceCylinder(Cylinder cylinder, Ray ray, float t) {
 #endif
     return surface;
 }
+
+#if COVERS
+#include "shadow/outline.glsl"
+
+// The two ends' rims, each by the half that is seen against the light: of an end that faces the apex the one behind.
+Cover coverCylinder(Cylinder cylinder, LightCone cone) {
+    AxialView view = axialView(cylinder.axis, cone.apex);
+    vec3 end = cylinder.axis.halfLength * cylinder.axis.along;
+    float beyond = abs(view.along) - cylinder.axis.halfLength;
+    bool within = view.away <= cylinder.radius;
+    if (within && beyond <= 0.0) return coverFromInside();
+    float turn = within ? kPi : acos(cylinder.radius / view.away);
+    vec3 first = view.along < 0.0 ? -end : end; // of the two the one nearer to the apex
+    Rim one = rimAround(cone, view, first, cylinder.radius, -turn, beyond > 0.0 && !within ? -2.0 * (kPi - turn) : 2.0 * turn);
+    Rim other = rimAround(cone, view, -first, cylinder.radius, turn, -2.0 * turn);
+    return coverRims(one, other, within);
+}
+#endif

@@ -83,3 +83,17 @@ Surface surfaceGlobe(Globe globe, Ray ray, float t) {
 #endif
     return surface;
 }
+
+#if COVERS
+#include "shadow/round_cover.glsl"
+
+// In lengths of its radius, with the gradient for the way from the centre.
+Cover coverGlobe(Globe globe, LightCone cone) {
+    vec3 offset = cone.apex - globe.anchor;
+    float k = globe.curvature;
+    float above = 0.5 * k * dot(offset, offset) + dot(globe.normal, offset) + globe.height;
+    vec3 outward = (globe.normal + k * offset) * cone.axes;
+    float radius = sqrt(1.0 - 2.0 * k * globe.height);
+    return coverRound(-outward, radius, 2.0 * k * above, k * cone.distance, cone.slope);
+}
+#endif

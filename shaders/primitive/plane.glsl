@@ -34,3 +34,15 @@ bool intersectPlane(Plane plane, Ray ray, float side, inout float t) {
 Surface surfacePlane(Plane plane, Ray ray, float t) {
     return surfacePlanar(plane.point, plane.normal, (ray.origin - plane.point) + t * ray.direction);
 }
+
+#if COVERS
+#include "shadow/cover.glsl"
+
+// A direction meets a plane at a height that falls linearly along it: half of the disc's own plane.
+Cover coverPlane(Plane plane, LightCone cone) {
+    vec3 normal = plane.normal * cone.axes;
+    float height = dot(cone.apex - plane.point, plane.normal);
+    if (height < 0.0) normal = -normal;
+    return halfDisc(-cone.slope * normal.xy, normal.z + abs(height) / cone.distance);
+}
+#endif

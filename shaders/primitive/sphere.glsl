@@ -77,3 +77,13 @@ Surface surfaceSphere(Sphere sphere, Ray ray, float t) {
 #endif
     return surface;
 }
+
+#if COVERS
+#include "shadow/round_cover.glsl"
+
+Cover coverSphere(Sphere sphere, LightCone cone) {
+    vec3 m = (sphere.center - cone.apex) * cone.axes;
+    float away = length(m);
+    return coverRound(m, sphere.radius, (away - sphere.radius) * (away + sphere.radius), cone.distance, cone.slope);
+}
+#endif

@@ -266,3 +266,12 @@ Surface surfaceTorus(Torus torus, Ray ray, float t) {
 #endif
     return surface;
 }
+
+#if COVERS
+// As seen along a direction: across its tube, and endless where that leads along the tube.
+float thickTorus(Torus torus, vec3 p, vec3 direction) {
+    vec3 tube = cross(torus.axis, p - torus.center);
+    float along = dot(tube, direction) / max(length(tube), 1e-20);
+    return 2.0 * torus.minor / max(1.0 - along * along, 1e-6);
+}
+#endif

@@ -125,3 +125,17 @@ Surface surfaceTriangle(Triangle triangle, Ray ray, float t) {
 #endif
     return surface;
 }
+
+#if COVERS
+#include "shadow/outline.glsl"
+
+Cover coverTriangle(Triangle triangle, LightCone cone) {
+    vec3 a = across(cone, triangle.a - cone.apex);
+    vec3 b = across(cone, triangle.b - cone.apex);
+    vec3 c = across(cone, triangle.c - cone.apex);
+    Outline outline = startOutline(a);
+    for (int i = 0; i < 3; ++i) edgeTo(outline, i == 0 ? b : (i == 1 ? c : a), 0.0);
+    closeOutline(outline);
+    return coverOf(outline);
+}
+#endif

@@ -119,3 +119,7 @@ Surface surface$Shape($Shape solid, Ray ray, float t) {
 #endif
     return surface;
 }
+
+#if COVERS
+float thick$Shape($Shape solid, vec3 p, vec3 direction) { return 2.0 * solid.ball.w; }
+#endif

@@ -10,8 +10,10 @@ namespace {
 
 constexpr int kWidth = 512; // pixels a row
 constexpr int kMostRows = int(Batch::kMost) / kWidth;
-constexpr GLsizeiptr kFrameBytes = 13 * 16; // of the frame block (shaders/frame.glsl): all 0 but for limits.x
+constexpr GLsizeiptr kFrameBytes = 13 * 16; // of the frame block (shaders/frame.glsl): all 0 but for these
+constexpr GLintptr kOptionsAt = 7 * 16;     // y: epsilon, z: lights have their own radius
 constexpr GLintptr kRepeatsAt = 9 * 16;     // of limits.x
+constexpr GLintptr kBudgetAt = 10 * 16;
 
 } // namespace
 
@@ -44,6 +46,10 @@ struct Batch::Impl {
         const std::vector<std::byte> zeroes(kFrameBytes);
         glBindBuffer(GL_UNIFORM_BUFFER, frame.get());
         glBufferData(GL_UNIFORM_BUFFER, kFrameBytes, zeroes.data(), GL_DYNAMIC_DRAW);
+        const glm::vec4 options(0, pass.settings.epsilon, -1, 0);
+        glBufferSubData(GL_UNIFORM_BUFFER, kOptionsAt, sizeof options, &options);
+        const glm::ivec4 budget(pass.settings.shadowSteps, pass.settings.samples, pass.settings.marchSteps, 0);
+        glBufferSubData(GL_UNIFORM_BUFFER, kBudgetAt, sizeof budget, &budget);
         glBindBuffer(GL_UNIFORM_BUFFER, scene.get());
         glBufferData(GL_UNIFORM_BUFFER, GLsizeiptr(texels.size() * sizeof texels[0]), texels.data(), GL_STATIC_DRAW);
         glUseProgram(program.get());
@@ -59,10 +65,10 @@ Batch::~Batch() = default;
 std::unique_ptr<Batch> Batch::make(const BatchPass& pass, const Scene& scene, Problems& problems,
                                    std::span<const ShaderFile> overrides) {
     const gl::Info info = gl::info();
-    Settings settings;
+    Settings settings = pass.settings;
     settings.data = DataPath::Block;
     Features features = featuresOf(scene, settings, 0, info.essl300);
-    features.distances = pass.distances;
+    features.distances |= pass.distances;
     Problems faults;
     const ShaderSource source = buildShader(pass.file, features, faults, overrides);
     auto impl = std::make_unique<Impl>();

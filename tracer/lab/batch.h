@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tracer/problem.h"
+#include "tracer/render/settings.h"
 #include "tracer/scene/scene.h"
 #include "tracer/shader/library.h"
 
@@ -18,7 +19,8 @@ struct BatchPass {
     const char* file = "";           ///< its entry point, as `pass/intersect.frag`
     std::vector<const char*> inputs; ///< samplers
     int outputs = 1;
-    bool distances = false; ///< Features::distances
+    bool distances = false; ///< Features::distances, whatever the settings say
+    Settings settings{};    ///< what the pass is built for, and the numbers of its shadow model
 };
 
 class Batch {

@@ -32,6 +32,8 @@ void addSearch(const KindCount& kind, Names& names) {
     names.values[type + "_SEARCH"] = int(kind.search);
     names.values[type + "_SEARCHED"] = searched;
     names.values[type + "_BLOCK"] = block;
+    names.values[type + "_CONVEX"] = shapeRow(kind.kind).convex;
+    names.values[type + "_BOUNDED"] = shapeRow(kind.kind).extent != nullptr;
     names.values["SEARCHES"] |= int(searched);
     names.values["BLOCKS"] |= int(block);
     names.values["HIERARCHIES"] |= int(kind.search == Search::Hierarchy);
@@ -63,6 +65,7 @@ Names namesOf(const Features& f) {
         {"SHADOWS", f.shadows != ShadowModel::Off},
         {"SHADOW_RAYS", shadowRow(f.shadows).rays},
         {"DISTANCES", f.distances},
+        {"COVERS", f.shadows == ShadowModel::Silhouette},
         {"FROM_LIGHT", f.fromLight},
         {"MARCH", int(f.march)},
         {"MARCH_STEPS", int(March::Steps)},
@@ -84,9 +87,9 @@ Names namesOf(const Features& f) {
     for (const KindCount& kind : f.shapes) {
         shapes.push_back(kind.type());
         if (kind.casters > 0) casters.push_back(kind.type());
+        names.values["MARCHED_CASTERS"] |= int(kind.casters > 0 && !shapeRow(kind.kind).convex);
         addSearch(kind, names);
         const std::string type = mapped(kind.type(), std::toupper);
-        names.values[type + "_CONVEX"] = kind.kind != ShapeKind::Torus && !kind.solid;
         names.values[type + "_ESTIMATED"] = kind.solid && estimated(*kind.solid);
     }
     std::string model(shadowRow(f.shadows).key);

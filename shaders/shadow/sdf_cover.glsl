@@ -1,0 +1,121 @@
+// What a shape covers of a light's disc that is known by its distance only: it is marched alone, along seven cones that part the
+// disc, its middle and six about it. Where a cone comes relatively nearest to the shape, at the least q = distance / way,
+// the shape's side there counts as a plane, and hides one side of a line across the cone.
+//
+// hide$Shape  adds the shape's cover
+// thick$Shape how far behind its near side a shape ends at the latest, across a direction at a point: a plane gets a far side,
+//             so that a thin ring hides no more than itself
+// Error       a torus, alone: .02 of the disc on average (RMSE), .2 at worst: where it is much smaller than the disc, or the
+//             ends of its hole lie within a seventh of it (tests/shader/silhouette_test.cpp)
+// Source      shadows.md's sub-cones; the least q by a secant between two steps where it stops falling
+// Limits      of each cone only the nearest approach counts
+#if OUTPUT == STEPS
+#include "sdf/count.glsl"
+#endif
+
+const float kPartSlope = 0.377964473; // 1 / sqrt(7): the parts are as large as the disc
+// Which points of Shade's mask are nearest to each part's middle.
+const Points kParts[7] = Points[7](
+    Points(uvec4(0x01800000u, 0x07C00000u, 0x07E00000u, 0x07E00000u), uvec4(0x000003E0u, 0x000007E0u, 0x000003C0u, 0x00000180u)),
+    Points(uvec4(0xE0000000u, 0xF0000000u, 0xF8000000u, 0xF8008000u), uvec4(0x8000FC00u, 0x0000F800u, 0x0000F000u, 0x0000E000u)),
+    Points(uvec4(0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u), uvec4(0x7F000000u, 0xFF000000u, 0xFF000C00u, 0xFF001E00u)),
+    Points(uvec4(0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u), uvec4(0x00FE0000u, 0x00FF0000u, 0x00FF0020u, 0x00FF0078u)),
+    Points(uvec4(0x00070000u, 0x001F0000u, 0x001F0000u, 0x001F0001u), uvec4(0x0001001Fu, 0x0000001Fu, 0x0000001Fu, 0x00000007u)),
+    Points(uvec4(0x007800FFu, 0x002000FFu, 0x000000FFu, 0x000000FEu), uvec4(0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u)),
+    Points(uvec4(0x1E00FF00u, 0x0800FF00u, 0x0000FF00u, 0x00007F00u), uvec4(0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u)));
+
+vec2 partMiddle(int part) {
+    float phi = float(part - 1) * (kPi / 3.0);
+    return part == 0 ? vec2(0.0) : 0.7 * vec2(cos(phi), sin(phi));
+}
+
+struct Approach {
+    vec3 gradient;
+    float q; // distance over t
+    float t;
+};
+
+#for Shape in CASTERS
+#if !$SHAPE_CONVEX
+// Where along the direction the shape is relatively nearest; q = 1 where it is not met.
+Approach approach$Shape($Shape shape, vec3 apex, vec3 direction, float end, float slope) {
+    const int kMostSteps = 64;
+    vec4 ball = ball$Shape(shape);
+    vec3 toBall = ball.xyz - apex;
+    float t = max(length(toBall) - ball.w, 2e-3 * ball.w);
+    end = min(end, length(toBall) + ball.w);
+    float ahead = t;
+    Approach nearest = Approach(-direction, 1.0, end);
+    float lastT = t;
+    float lastFall = 0.0; // t f' - f: below 0 where q falls
+    bool counts = false;  // not yet where the ray leaves the shape's own surface
+#if $SHAPE_ESTIMATED
+    float lastQ = 1.0;
+    const bool kSecant = false;
+#else
+    const bool kSecant = true;
+#endif
+    bool between = false; // back to where q stopped falling
+    for (int i = 0; i < kMostSteps && t <= end; ++i) {
+#if OUTPUT == STEPS
+        ++evaluations;
+#endif
+        vec4 f = distance$Shape(shape, apex + t * direction, apex);
+        float q = f.w / t;
+#if $SHAPE_ESTIMATED
+        float fall = i == 0 ? 0.0 : q - lastQ; // there is no gradient
+        lastQ = q;
+#else
+        float fall = t * dot(f.xyz, direction) - f.w;
+#endif
+        counts = counts || fall < 0.0;
+        if (counts && q < nearest.q) {
+            nearest = Approach(f.xyz, q, t);
+        }
+        bool turns = kSecant && !between && i > 0 && lastFall < 0.0 && fall > 0.0;
+        if (!between) ahead = t;
+        float secant = mix(lastT, t, lastFall / min(lastFall - fall, -1e-20));
+        float step = max(max(abs(f.w), 0.3 * slope * t), 1e-3 * ball.w);
+        float next = between ? ahead + step : t + step;
+        lastT = t;
+        lastFall = between ? max(lastFall, 1e-20) : fall;
+        between = turns;
+        // The last step ends at the light itself.
+        t = turns ? secant : (t < end ? min(next, end) : next + end);
+    }
+#if $SHAPE_ESTIMATED
+    vec3 gradient = gradient$Shape(shape.at, apex + nearest.t * direction - ball.xyz, 0.25 * slope * nearest.t);
+    nearest.gradient = gradient / max(length(gradient), 1e-20);
+#endif
+    return nearest;
+}
+
+void hide$Shape(int index, Beam beam, LightCone cone, inout Shade shade) {
+    $Shape shape = load$Shape(k$ShapeBase + index * k$ShapeTexels);
+    float slope = cone.slope * kPartSlope;
+    float area = 0.0;
+    Points points = Points(uvec4(0u), uvec4(0u));
+    for (int part = 0; part < 7; ++part) {
+        vec2 middle = partMiddle(part);
+        vec3 along = vec3(cone.slope * middle, 1.0);
+        float stretch = length(along);
+        vec3 direction = cone.axes * along / stretch;
+        Approach nearest = approach$Shape(shape, cone.apex, direction, cone.distance * stretch, slope);
+        // The plane through the apex at q's own angle, whose normal is the gradient's part across the cone's axis.
+        vec3 beside = nearest.gradient - dot(nearest.gradient, direction) * direction;
+        float q = clamp(nearest.q, -1.0, 1.0);
+        vec3 normal = (q * direction + sqrt(1.0 - q * q) * beside / max(length(beside), 1e-6)) * cone.axes;
+        vec2 facing = cone.slope * normal.xy;
+        float size = max(length(facing), 1e-12);
+        float r = (normal.z + dot(facing, middle)) / (kPartSlope * size);
+        // Where the shape ends on its other side, at the latest.
+        float behind = thick$Shape(shape, cone.apex + nearest.t * direction, direction) / max(nearest.t, 1e-12) / cone.slope * length(vec3(cone.slope * middle, 1.0));
+        Points near = pointsOf(halfDisc(-facing, normal.z));
+        Points far = pointsOf(halfDisc(-facing, normal.z + behind * size));
+        points = together(points, inBoth(without(near, far), kParts[part]));
+        area += (segmentArea(r) - segmentArea(r + behind / kPartSlope)) / 7.0;
+    }
+    unite(shade, area, points);
+}
+#endif
+#endfor

@@ -1,0 +1,85 @@
+// Soft shadow by what the silhouettes of the casters cover of the light's disc. Nothing is marched or sampled where a shape is
+// convex: its cover's area is worked out, and covers that overlap are united over a mask (shadow/cover.glsl).
+//
+// The surface's own body hides what is below the horizon and, where it is convex, nothing else. A light without a radius gets
+// the disc that a pixel covers, so that its shadows have edges one pixel wide.
+//
+// Error   a single caster: shadow/round_cover.glsl and outline.glsl; several that overlap: cover.glsl; a torus, which is
+//         marched: sdf_cover.glsl (tests/shader/silhouette_test.cpp, docs/shadows.md)
+// Source  Nishita and Nakamae, 1983, for areas of sources seen past convex polygons; the rest is our own
+#include "ray/bits.glsl"
+#include "shadow/cover.glsl"
+#include "shadow/frame_about.glsl"
+
+LightCone coneTo(Beam beam) {
+    mat2x3 frame = frameAbout(beam.ray.direction);
+    // Turned, so that no row runs along what is upright or level.
+    vec3 first = 0.8 * frame[0] + 0.6 * frame[1];
+    vec3 second = 0.8 * frame[1] - 0.6 * frame[0];
+    float slope = max(discSlope(beam.distance, beam.lightRadius), max(beam.pixelRadius / beam.distance, 1e-5));
+    return LightCone(beam.ray.origin, mat3(first, second, beam.ray.direction), slope, beam.distance);
+}
+
+#if MARCHED_CASTERS
+#include "shadow/sdf_cover.glsl"
+#endif
+#for Shape in CASTERS
+#if $SHAPE_CONVEX
+// From inside of a body: the whole disc, if the light is not in there, too.
+void hideAll$Shape(int index, Beam beam, inout Shade shade) {
+    float t = beam.distance;
+    if (meets$Shape(index, beam.ray, t)) shade.largest = kPi;
+}
+
+void hide$Shape(int index, Beam beam, LightCone cone, inout Shade shade) {
+    $Shape shape = load$Shape(k$ShapeBase + index * k$ShapeTexels);
+    Cover cover = cover$Shape(shape, cone);
+    bool inside = cover.area < 0.0;
+    for (int i = 0; i < (inside ? 1 : 0); ++i) hideAll$Shape(index, beam, shade);
+    for (int i = 0; i < (cover.area > 0.0 ? 1 : 0); ++i) unite(shade, cover);
+}
+#endif
+#if $SHAPE_BOUNDED
+// Those of 32 casters whose balls the cone does not pass by. A ray that leaves its own convex body never comes back.
+uint in$Shape(int first, int self, LightCone cone) {
+    uint sieve = 0u;
+    for (int i = 0; i < min(k$ShapeCasters - first, 32); ++i) {
+        vec4 ball = ball$Shape(load$Shape(k$ShapeBase + (first + i) * k$ShapeTexels));
+        if (first + i != self && !passesBy(cone, ball)) sieve |= 1u << uint(i);
+    }
+    return sieve;
+}
+#endif
+#endfor
+
+float visibility(Beam beam) {
+    LightCone cone = coneTo(beam);
+    Shade shade = Shade(0.0, 0.0, Points(uvec4(0u), uvec4(0u)));
+    if (beam.ray.self >= 0) {
+        vec3 normal = beam.normal * cone.axes;
+        unite(shade, halfDisc(-cone.slope * normal.xy, normal.z));
+    }
+#for Shape in CASTERS
+#if $SHAPE_CONVEX
+    int self$Shape = beam.ray.self - k$ShapeFirst;
+    bool within$Shape = beam.ray.side < 0.0 && self$Shape >= 0 && self$Shape < k$ShapeCasters;
+    for (int i = 0; i < (within$Shape ? 1 : 0); ++i) hideAll$Shape(self$Shape, beam, shade);
+#else
+    int self$Shape = -1;
+#endif
+#if $SHAPE_BOUNDED
+    for (int first = 0; first < k$ShapeCasters; first += 32) {
+        uint sieve = in$Shape(first, self$Shape, cone);
+        for (int i = 0; i < 32 && sieve != 0u; ++i) {
+            int index = lowestBit(sieve);
+            sieve &= sieve - 1u;
+            hide$Shape(first + index, beam, cone, shade);
+        }
+    }
+#else
+    for (int i = 0; i < k$ShapeCasters; ++i)
+        if (i != self$Shape) hide$Shape(i, beam, cone, shade);
+#endif
+#endfor
+    return bareShare(shade);
+}
