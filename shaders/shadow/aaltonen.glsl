@@ -4,7 +4,7 @@
 #include "shadow/cone.glsl"
 
 float visibility(Beam beam) {
-    Cone cone = coneOf(beam);
+    ShadowCone cone = coneOf(beam);
     float slope = discSlope(beam.distance, beam.lightRadius);
     float least = 1.0;
     float before = 1e20;

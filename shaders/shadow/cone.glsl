@@ -1,6 +1,6 @@
 // The cone between a surface point and a light, and the share of the light that distances measured along it leave.
 //
-// Cone        axis from the centre of the surface sphere to that of the light; it touches both spheres (its radii are those
+// ShadowCone  axis from the centre of the surface sphere to that of the light; it touches both spheres (its radii are those
 //             of the discs where it does so, measured across the axis)
 // coneRadius  at t along the axis
 // shareOf     tau: the part of a unit disc that a half plane at signed distance r from its middle leaves, -1: none, 1: all
@@ -10,7 +10,7 @@
 // Source      the source document of one-ray soft shadows; docs/shadows.md
 #include "sdf/scene.glsl"
 
-struct Cone {
+struct ShadowCone {
     vec3 start;
     vec3 axis;
     float length;
@@ -19,7 +19,7 @@ struct Cone {
 };
 
 // The surface sphere touches the surface and has the pixel's radius, at least what float32 resolves of the coordinates.
-Cone coneOf(Beam beam) {
+ShadowCone coneOf(Beam beam) {
     vec3 size = abs(beam.ray.origin);
     float r0 = max(beam.pixelRadius, 4e-6 * (max(size.x, max(size.y, size.z)) + 1e-3));
     vec3 start = beam.ray.origin + r0 * beam.normal;
@@ -27,15 +27,24 @@ Cone coneOf(Beam beam) {
     float distance = max(length(toLight), 1e-20);
     float sine = clamp((beam.lightRadius - r0) / distance, -0.999, 0.999);
     float secant = inversesqrt(1.0 - sine * sine);
-    return Cone(start, toLight / distance, distance, r0 * secant, sine * secant);
+    return ShadowCone(start, toLight / distance, distance, r0 * secant, sine * secant);
 }
 
 // Never quite 0: towards a light without size the cone ends in a point.
-float coneRadius(Cone cone, float t) { return max(cone.radius + t * cone.slope, 1e-6 * cone.radius); }
+float coneRadius(ShadowCone cone, float t) { return max(cone.radius + t * cone.slope, 1e-6 * cone.radius); }
+
+// The language's own is off by up to 2e-4 on some GLs. Error 2e-8, and rounding. Source: M. Abramowitz and I. Stegun, 4.4.46.
+float arcsine(float x) {
+    float a = abs(x);
+    float high = ((-0.0012624911 * a + 0.0066700901) * a - 0.0170881256) * a + 0.0308918810;
+    float all = (((high * a - 0.0501743046) * a + 0.0889789874) * a - 0.2145988016) * a + 1.5707963050;
+    float angle = 1.57079632679490 - sqrt(1.0 - a) * all;
+    return x < 0.0 ? -angle : angle;
+}
 
 float shareOf(float r) {
     r = clamp(r, -1.0, 1.0);
-    return 0.5 + (r * sqrt(1.0 - r * r) + asin(r)) / 3.14159265358979;
+    return clamp(0.5 + (r * sqrt(1.0 - r * r) + arcsine(r)) / 3.14159265358979, 0.0, 1.0);
 }
 
-float coneDistance(Cone cone, float t) { return sceneDistance(cone.start + t * cone.axis, cone.start).w; }
+float coneDistance(ShadowCone cone, float t) { return sceneDistance(cone.start + t * cone.axis, cone.start).w; }

@@ -8,7 +8,7 @@
 #include "shadow/cone.glsl"
 #include "shadow/linear.glsl"
 
-float convexStep(Cone cone, float at, float towards, float marched, out float free) {
+float convexStep(ShadowCone cone, float at, float towards, float marched, out float free) {
 #if OUTPUT == STEPS
     ++evaluations;
 #endif
@@ -34,7 +34,7 @@ float convexStep(Cone cone, float at, float towards, float marched, out float fr
 }
 
 float visibility(Beam beam) {
-    Cone cone = coneOf(beam);
+    ShadowCone cone = coneOf(beam);
     float nearest = 1.0;
     float marched = narrower(nearest);
     float t = 0.0;

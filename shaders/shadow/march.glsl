@@ -9,7 +9,7 @@
 // Steps       when they run out the nearest found so far stands: what is not reached counts as free
 // Source      the source document's base algorithm, with slips of its text mended: relative distances are to the light's
 //             cone, not to the one found last, and a step is taken whether or not anything came nearer
-float nearestAlong(Cone cone) {
+float nearestAlong(ShadowCone cone) {
     float nearest = 1.0;
     float marched = narrower(nearest);
     float t = 0.0;

@@ -5,7 +5,7 @@
 #include "shadow/cone.glsl"
 
 float visibility(Beam beam) {
-    Cone cone = coneOf(beam);
+    ShadowCone cone = coneOf(beam);
     float slope = discSlope(beam.distance, beam.lightRadius);
     float least = 1.0;
     float t = cone.radius;
