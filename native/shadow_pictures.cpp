@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kUsual = 1.0 / 30;
 constexpr int kMagnified = 4;
+constexpr int kReference = 100; ///< samples: one picture of eight bits
 
 Image pictureOf(const Loaded& loaded, const ShadowPlan& plan, const ShadowWay& way, Problems& problems) {
     Settings settings = settingsFor(plan, way, plan.radii.empty() ? std::nullopt : std::optional(plan.radii[0]));
@@ -49,7 +50,7 @@ bool writePictures(const std::string& folder, const Loaded& loaded, const Shadow
         return false;
     }
     const Image reference =
-        pictureOf(loaded, plan, {ShadowModel::Montecarlo, Direction::FromSurface, kUsual, plan.reference}, problems);
+        pictureOf(loaded, plan, {ShadowModel::Montecarlo, Direction::FromSurface, kUsual, kReference}, problems);
     const auto nearest = std::min_element(plan.epsilons.begin(), plan.epsilons.end(), [](double a, double b) {
         return std::abs(a - kUsual) < std::abs(b - kUsual);
     });

@@ -18,7 +18,7 @@ float visibility(Beam beam) {
         if (free < 0.1 * frame.options.y * (cone.radius + t * slope)) return 0.0;
         before = free;
         t += free;
-        if (t >= cone.length) break;
+        if (t >= cone.reach) break;
     }
     return clamp(least, 0.0, 1.0);
 }

@@ -13,7 +13,7 @@
 struct ShadowCone {
     vec3 start;
     vec3 axis;
-    float length;
+    float reach;
     float radius;
     float slope;
 };

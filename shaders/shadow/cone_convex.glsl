@@ -40,7 +40,7 @@ float visibility(Beam beam) {
     float t = 0.0;
     for (int i = 0; i < frame.budget.x; ++i) {
 #if FROM_LIGHT
-        float at = cone.length - t;
+        float at = cone.reach - t;
         const float towards = -1.0;
 #else
         float at = t;
@@ -55,7 +55,7 @@ float visibility(Beam beam) {
         }
         if (dark(nearest)) break;
         t += max(step, max(free - radius * marched, 0.0) / (1.0 + abs(marched * cone.slope)));
-        if (t >= cone.length) break;
+        if (t >= cone.reach) break;
     }
     return shareOf(nearest);
 }

@@ -15,7 +15,7 @@ float nearestAlong(ShadowCone cone) {
     float t = 0.0;
     for (int i = 0; i < frame.budget.x; ++i) {
 #if FROM_LIGHT
-        float at = cone.length - t;
+        float at = cone.reach - t;
 #else
         float at = t;
 #endif
@@ -27,7 +27,7 @@ float nearestAlong(ShadowCone cone) {
         }
         if (dark(nearest)) break;
         t += max(free - radius * marched, 0.0) / (1.0 + abs(marched * cone.slope));
-        if (t >= cone.length) break;
+        if (t >= cone.reach) break;
     }
     return nearest;
 }

@@ -2,17 +2,12 @@
 // at random from pixel to pixel, so that too few samples show as noise and not as bands.
 //
 // Error  falls about as 1 / samples^(3/4); unbiased, so with enough samples it is the reference of the others
+// Limits llvmpipe ends all loops of a pixel after 65 536 turns in all: many samples of a scene with long marches are to be
+//        taken in several pictures (--first-sample)
 // Source J. Halton, On the efficiency of certain quasi-random sequences, 1960; R. Cranley and T. Patterson, 1976, for the
-//        shift; the hash is PCG-3D, M. Jarzynski and M. Olano, Hash Functions for GPU Rendering, JCGT 2020
+//        shift
 #include "shadow/frame_about.glsl"
-
-vec2 pixelShift(uint salt) {
-    uvec3 v = uvec3(uvec2(gl_FragCoord.xy), salt) * 1664525u + 1013904223u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y;
-    v ^= v >> 16u;
-    v.x += v.y * v.z; v.y += v.z * v.x;
-    return vec2(v.xy >> 8u) / 16777216.0;
-}
+#include "shadow/pixel_shift.glsl"
 
 // The digits of `index` mirrored at the point: 32 of base 2, 20 of base 3.
 float mirrored2(uint index) {
@@ -41,7 +36,8 @@ float visibility(Beam beam) {
     vec2 shift = pixelShift(floatBitsToUint(beam.ray.direction.x));
     int seen = 0;
     for (int i = 0; i < frame.budget.y; ++i) {
-        vec2 u = fract(vec2(mirrored2(uint(i) + 1u), mirrored3(uint(i) + 1u)) + shift);
+        uint index = uint(frame.budget.w + i + 1);
+        vec2 u = fract(vec2(mirrored2(index), mirrored3(index)) + shift);
         float phi = 6.28318530717959 * u.x;
         vec3 toDisc = beam.ray.direction + slope * sqrt(u.y) * (across * vec2(cos(phi), sin(phi)));
         float stretch = length(toDisc);

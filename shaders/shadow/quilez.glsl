@@ -15,7 +15,7 @@ float visibility(Beam beam) {
         least = min(least, free / wide);
         if (least < frame.options.y * 0.1) return 0.0;
         t += free;
-        if (t >= cone.length) break;
+        if (t >= cone.reach) break;
     }
     return clamp(least, 0.0, 1.0);
 }

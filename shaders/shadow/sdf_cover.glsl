@@ -13,21 +13,7 @@
 #include "sdf/count.glsl"
 #endif
 
-const float kPartSlope = 0.377964473; // 1 / sqrt(7): the parts are as large as the disc
-// Which points of Shade's mask are nearest to each part's middle.
-const Points kParts[7] = Points[7](
-    Points(uvec4(0x01800000u, 0x07C00000u, 0x07E00000u, 0x07E00000u), uvec4(0x000003E0u, 0x000007E0u, 0x000003C0u, 0x00000180u)),
-    Points(uvec4(0xE0000000u, 0xF0000000u, 0xF8000000u, 0xF8008000u), uvec4(0x8000FC00u, 0x0000F800u, 0x0000F000u, 0x0000E000u)),
-    Points(uvec4(0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u), uvec4(0x7F000000u, 0xFF000000u, 0xFF000C00u, 0xFF001E00u)),
-    Points(uvec4(0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u), uvec4(0x00FE0000u, 0x00FF0000u, 0x00FF0020u, 0x00FF0078u)),
-    Points(uvec4(0x00070000u, 0x001F0000u, 0x001F0000u, 0x001F0001u), uvec4(0x0001001Fu, 0x0000001Fu, 0x0000001Fu, 0x00000007u)),
-    Points(uvec4(0x007800FFu, 0x002000FFu, 0x000000FFu, 0x000000FEu), uvec4(0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u)),
-    Points(uvec4(0x1E00FF00u, 0x0800FF00u, 0x0000FF00u, 0x00007F00u), uvec4(0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u)));
-
-vec2 partMiddle(int part) {
-    float phi = float(part - 1) * (kPi / 3.0);
-    return part == 0 ? vec2(0.0) : 0.7 * vec2(cos(phi), sin(phi));
-}
+#include "shadow/parts.glsl"
 
 struct Approach {
     vec3 gradient;
@@ -36,7 +22,7 @@ struct Approach {
 };
 
 #for Shape in CASTERS
-#if !$SHAPE_CONVEX
+#if !$SHAPE_CONVEX && !$SHAPE_ESTIMATED
 // Where along the direction the shape is relatively nearest; q = 1 where it is not met.
 Approach approach$Shape($Shape shape, vec3 apex, vec3 direction, float end, float slope) {
     const int kMostSteps = 64;
@@ -49,12 +35,6 @@ Approach approach$Shape($Shape shape, vec3 apex, vec3 direction, float end, floa
     float lastT = t;
     float lastFall = 0.0; // t f' - f: below 0 where q falls
     bool counts = false;  // not yet where the ray leaves the shape's own surface
-#if $SHAPE_ESTIMATED
-    float lastQ = 1.0;
-    const bool kSecant = false;
-#else
-    const bool kSecant = true;
-#endif
     bool between = false; // back to where q stopped falling
     for (int i = 0; i < kMostSteps && t <= end; ++i) {
 #if OUTPUT == STEPS
@@ -62,17 +42,12 @@ Approach approach$Shape($Shape shape, vec3 apex, vec3 direction, float end, floa
 #endif
         vec4 f = distance$Shape(shape, apex + t * direction, apex);
         float q = f.w / t;
-#if $SHAPE_ESTIMATED
-        float fall = i == 0 ? 0.0 : q - lastQ; // there is no gradient
-        lastQ = q;
-#else
         float fall = t * dot(f.xyz, direction) - f.w;
-#endif
         counts = counts || fall < 0.0;
         if (counts && q < nearest.q) {
             nearest = Approach(f.xyz, q, t);
         }
-        bool turns = kSecant && !between && i > 0 && lastFall < 0.0 && fall > 0.0;
+        bool turns = !between && i > 0 && lastFall < 0.0 && fall > 0.0;
         if (!between) ahead = t;
         float secant = mix(lastT, t, lastFall / min(lastFall - fall, -1e-20));
         float step = max(max(abs(f.w), 0.3 * slope * t), 1e-3 * ball.w);
@@ -83,10 +58,6 @@ Approach approach$Shape($Shape shape, vec3 apex, vec3 direction, float end, floa
         // The last step ends at the light itself.
         t = turns ? secant : (t < end ? min(next, end) : next + end);
     }
-#if $SHAPE_ESTIMATED
-    vec3 gradient = gradient$Shape(shape.at, apex + nearest.t * direction - ball.xyz, 0.25 * slope * nearest.t);
-    nearest.gradient = gradient / max(length(gradient), 1e-20);
-#endif
     return nearest;
 }
 

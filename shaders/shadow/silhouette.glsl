@@ -5,7 +5,8 @@
 // the disc that a pixel covers, so that its shadows have edges one pixel wide.
 //
 // Error   a single caster: shadow/round_cover.glsl and outline.glsl; several that overlap: cover.glsl; a torus, which is
-//         marched: sdf_cover.glsl (tests/shader/silhouette_test.cpp, docs/shadows.md)
+//         marched: sdf_cover.glsl; an estimate, which rays are sent through: ray_cover.glsl (tests/shader/silhouette_test.cpp,
+//         docs/shadows.md)
 // Source  Nishita and Nakamae, 1983, for areas of sources seen past convex polygons; the rest is our own
 #include "ray/bits.glsl"
 #include "shadow/cover.glsl"
@@ -22,6 +23,10 @@ LightCone coneTo(Beam beam) {
 
 #if MARCHED_CASTERS
 #include "shadow/sdf_cover.glsl"
+#endif
+#if ESTIMATED_CASTERS
+#include "shadow/parts.glsl"
+#include "shadow/ray_cover.glsl"
 #endif
 #for Shape in CASTERS
 #if $SHAPE_CONVEX

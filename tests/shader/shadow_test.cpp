@@ -82,7 +82,7 @@ TEST(Share, IsTauAndItsInverse) {
 TEST(TangentCone, TouchesBothSpheres) {
     const std::vector<double> radii{0, 0.05, 0.3, 1, 2, 4, 5.5};
     const auto slopes = answersOf("cone.slope", radii), starts = answersOf("cone.radius", radii),
-               lengths = answersOf("cone.length", radii);
+               lengths = answersOf("cone.reach", radii);
     for (std::size_t i = 0; i < radii.size(); ++i) {
         const double r0 = 5e-4, length = kAway - r0, sine = (radii[i] - r0) / length,
                      cosine = std::sqrt(1 - sine * sine);

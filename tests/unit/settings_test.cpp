@@ -23,6 +23,7 @@ const std::map<std::string_view, std::vector<std::string>>& samples() {
         {"direction", {"b"}},
         {"shadow-steps", {"1", "4096"}},
         {"samples", {"1", "65536"}},
+        {"first-sample", {"1", "1048576"}},
         {"light-radius", {"0", "0.25", "10000"}},
         {"march", {"steps", "sphere"}},
         {"march-steps", {"1", "4096"}},

@@ -179,10 +179,11 @@ Table compareColumn(const Table& after, const Measured& measured, const std::vec
 
 Environment difference(const Environment& before, const Environment& after) {
     Environment all;
-    for (const auto& [name, value] : after) {
+    for (const auto& now : after) {
         const auto old =
-            std::find_if(before.begin(), before.end(), [&](const auto& entry) { return entry.first == name; });
-        all.emplace_back(name, old == before.end() || old->second == value ? value : old->second + " → " + value);
+            std::find_if(before.begin(), before.end(), [&](const auto& entry) { return entry.first == now.first; });
+        const bool same = old == before.end() || old->second == now.second;
+        all.emplace_back(now.first, same ? now.second : old->second + " → " + now.second);
     }
     return all;
 }

@@ -39,7 +39,7 @@ FrameBlock frameBlock(const View& view, const Scene& scene, glm::dvec3 origin, c
     block.background = glm::vec4(scene.background.color, 1);
     block.cone.x = float(2 * camera.halfHeight / view.height);
     block.options = glm::vec4(settings.threshold, settings.epsilon, settings.lightRadius.value_or(-1), 0);
-    block.budget = glm::ivec4(settings.shadowSteps, settings.samples, settings.marchSteps, 0);
+    block.budget = glm::ivec4(settings.shadowSteps, settings.samples, settings.marchSteps, settings.firstSample);
     block.canvas = glm::vec4(view.width, view.height, 0, 0);
     block.limits = glm::ivec4(settings.depth, settings.light, encode, 0);
     block.channels = glm::ivec4(channel(0), channel(1), channel(2), 0);

@@ -58,6 +58,10 @@ std::vector<SettingRow> makeTable() {
          Effect::Rebuild},
         {"shadow-steps", IntType{&S::shadowSteps, 1, 4096}, "Light", "Steps after which a shadow cone gives up", 1},
         {"samples", IntType{&S::samples, 1, 65536}, "Light", "Shadow rays to each light of `shadows=montecarlo`", 1},
+        {"first-sample", IntType{&S::firstSample, 0, 1 << 20}, "Light",
+         "Where in their sequence the samples begin: pictures of stretches that follow one another average to that of "
+         "all",
+         1},
         {"light-radius", OptionalRealType{&S::lightRadius, 0, 1e4}, "Light",
          "Radius of all lights; the scene's own if unset", 0.05},
         {"march",

@@ -41,7 +41,7 @@ struct Settings {
     double epsilon = 1.0 / 30;
     int shadowSteps = 256;
     Direction direction = Direction::FromSurface;
-    int samples = 64;
+    int samples = 64, firstSample = 0;
     std::optional<double> lightRadius;
     March march = March::Cone;
     int marchSteps = 256;

@@ -87,7 +87,9 @@ Names namesOf(const Features& f) {
     for (const KindCount& kind : f.shapes) {
         shapes.push_back(kind.type());
         if (kind.casters > 0) casters.push_back(kind.type());
-        names.values["MARCHED_CASTERS"] |= int(kind.casters > 0 && !shapeRow(kind.kind).convex);
+        const bool estimates = kind.solid && estimated(*kind.solid);
+        names.values["ESTIMATED_CASTERS"] |= int(kind.casters > 0 && estimates);
+        names.values["MARCHED_CASTERS"] |= int(kind.casters > 0 && !shapeRow(kind.kind).convex && !estimates);
         addSearch(kind, names);
         const std::string type = mapped(kind.type(), std::toupper);
         names.values[type + "_ESTIMATED"] = kind.solid && estimated(*kind.solid);
