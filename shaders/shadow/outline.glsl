@@ -29,6 +29,12 @@ float turned(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
 // A turn (cosine, sine) in a unit that no product overflows; none where both are 0.
 vec2 unitTurn(vec2 turn) { return turn == vec2(0.0) ? vec2(1.0, 0.0) : turn / max(abs(turn.x), abs(turn.y)); }
 
+// atan(v.y, v.x), 0 of nothing. SwiftShader's own is off by pi for some turns of about half a circle.
+float angleOf(vec2 v) {
+    float fromAxis = 2.0 * atan(v.y / max(length(v) + abs(v.x), 1e-30));
+    return v.x >= 0.0 ? fromAxis : (v.y >= 0.0 ? kPi : -kPi) - fromAxis;
+}
+
 // An edge as it is seen; `bulge` is what the arc over it adds to its area. Worked out from its end that is nearer to the disc:
 // the other may be far out.
 void draw(inout Outline outline, vec2 from, vec2 to, float bulge) {
@@ -47,8 +53,7 @@ void draw(inout Outline outline, vec2 from, vec2 to, float bulge) {
     vec2 a = unitTurn(vec2(dot(p, p + in0 * d), in0 * off));
     vec2 b = unitTurn(vec2(dot(p + in1 * d, q), (1.0 - in1) * off));
     vec2 turn = vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
-    float angle = turn == vec2(0.0) ? 0.0 : atan(turn.y, turn.x);
-    float signedArea = 0.5 * (angle + (in1 - in0) * off);
+    float signedArea = 0.5 * (angleOf(turn) + (in1 - in0) * off);
     outline.area += (swapped ? -signedArea : signedArea) + bulge * (in1 * in1 * (3.0 - 2.0 * in1) - in0 * in0 * (3.0 - 2.0 * in0));
     float rise = abs(d.y) < 1e-12 ? 1e-12 : d.y;
     for (int i = 0; i < 4; ++i) {

@@ -24,7 +24,7 @@ const scenes = [
   { name: 'torus', depth: 8, size: '240x180', share: 0.999 },
   { name: 'pro', depth: 8, size: '240x180', share: 0.995 },
   // Soft shadows and marched bodies add up roundings over many steps: a light fraction may be a little apart.
-  { name: 'simple', depth: 2, size: '160x120', share: 0.995, shadows: 'silhouette', apart: 0.01 },
+  { name: 'complex', depth: 2, size: '160x120', share: 0.99, shadows: 'silhouette', apart: 0.02 },
   { name: 'solids', depth: 2, size: '160x120', share: 0.98, shadows: 'cone-linear', apart: 0.02 },
 ];
 const natives = ['osmesa', 'egl', 'window'];
