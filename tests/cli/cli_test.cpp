@@ -140,6 +140,33 @@ TEST_F(Cli, LabTraceMeasuresEveryWayAndWritesItsNumbers) {
     EXPECT_NE(readText(folder_ / "all.html").find("gnomon-results"), std::string::npos);
 }
 
+TEST_F(Cli, LabShadowsMeasuresEveryWayAndDrawsIt) {
+    const Answer run =
+        gnomon("lab shadows --scenes=simple --models=hard,montecarlo,cone-linear,silhouette --samples=1,4 "
+               "--epsilons=0.1 --radii=0.5 --size=64x48 --reference=64 --repeats=2 --json=all.json "
+               "--pictures=pictures");
+    EXPECT_EQ(run.code, 0) << run.err;
+    const auto results = nlohmann::json::parse(readText(folder_ / "all.json"));
+    const auto &shadows = results["tables"][0], &rivals = results["tables"][2];
+    EXPECT_EQ(shadows["rows"].size(), 6U) << "hard, twice Monte Carlo, linear from both ends, silhouette";
+    for (const char* number : {"frame", "ratio", "evaluations", "rmse", "picture"})
+        EXPECT_EQ(emptyIn(shadows, number), 0);
+    EXPECT_EQ(emptyIn(shadows, "epsilon"), 4);
+    EXPECT_EQ(rivals["rows"].size(), 0U) << "linear at 1/30 was not asked for";
+    for (const char* model : {"hard", "cone-linear", "silhouette"})
+        EXPECT_TRUE(std::filesystem::exists(folder_ / "pictures" / ("simple-" + std::string(model) + ".png"))) << model;
+}
+
+TEST_F(Cli, LabShadowsRefusesWhatItDoesNotKnow) {
+    expectRefused("lab shadows --models=cone-liner", 2, "did you mean 'cone-linear'?");
+    expectRefused("lab shadows --models=off", 2, "'off' is no shadow model");
+    expectRefused("lab shadows --scenes=simpel", 1, "did you mean 'simple'?");
+    expectRefused("lab shadows --epsilons=2", 2, "use 0.000244");
+    expectRefused("lab shadows --directions=c", 2, "use a or ab");
+    expectRefused("lab shadows --reference=1", 2, "use 16");
+    expectRefused("lab shadows --size=0x4", 2, "size: 0 is out of range");
+}
+
 TEST_F(Cli, LabTraceRefusesWhatItDoesNotKnow) {
     expectRefused("lab trce", 2, "did you mean 'trace'?");
     expectRefused("lab trace --scens=lite", 2, "did you mean --scenes?");
