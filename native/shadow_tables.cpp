@@ -163,7 +163,11 @@ std::vector<Chart> shadowCharts() {
                 {{"model", "cone-linear"}, {"direction", "A"}},
                 true,
                 false};
-    return {plane, sweep};
+    Chart front = plane;
+    front.title = "The front: ways than which no other is both faster and nearer to the reference";
+    front.series = "";
+    front.where = {{"front", "yes"}};
+    return {plane, front, sweep};
 }
 
 } // namespace gnomon
