@@ -31,9 +31,10 @@ struct Case {
 std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
 
 const Case kCases[] = {
-    {"lite", "lite", 8, ShadowModel::Hard, 0},          {"lite-no-shadows", "lite", 4, ShadowModel::Off, 0},
-    {"lite-later", "lite", 4, ShadowModel::Hard, 4.25}, {"pro", "pro", 8, ShadowModel::Hard, 0},
-    {"torus", "torus", 4, ShadowModel::Hard, 0},        {"shapes", "shapes", 8, ShadowModel::Hard, 0},
+    {"lite", "lite", 8, ShadowModel::Hard, 0},           {"lite-no-shadows", "lite", 4, ShadowModel::Off, 0},
+    {"lite-later", "lite", 4, ShadowModel::Hard, 4.25},  {"pro", "pro", 8, ShadowModel::Hard, 0},
+    {"torus", "torus", 4, ShadowModel::Hard, 0},         {"shapes", "shapes", 8, ShadowModel::Hard, 0},
+    {"solids", "solids", 8, ShadowModel::ConeLinear, 0}, {"complex", "complex", 1, ShadowModel::Silhouette, 0},
 };
 
 Image readPng(const std::string& file) {
