@@ -1,4 +1,5 @@
-// What shapes are drawn as: which spheres are huge, and that a globe's float32 numbers mean the scene's sphere.
+// What shapes are drawn as, and when anew: which spheres are huge, what moves, and that a globe's float32 numbers mean
+// the scene's sphere.
 #include "tests/support/scenes.h"
 #include "tracer/render/scene_data.h"
 #include "tracer/shader/shader_builder.h"
@@ -137,6 +138,20 @@ TEST(Globe, HasAnAnchorAlsoForAnEyeAtItsCentre) {
 TEST(Drawn, LeavesEveryOtherShapeAsItIs) {
     const Shape disc{ShapeKind::Disc, {glm::dvec4(1, 2, 3, 10), glm::dvec4(0, 1, 0, 0), glm::dvec4(0)}};
     EXPECT_EQ(drawnAs(ShapeKind::Disc, disc, {1, 2, 3}).texels, disc.texels);
+}
+
+TEST(Time, ChangesOnlyScenesInWhichSomethingMoves) {
+    for (const char* name : {"lite", "pro"}) EXPECT_TRUE(changesWithTime(sceneNamed(name))) << name;
+    for (const char* name : {"solids", "simple", "mandelbulb"}) EXPECT_FALSE(changesWithTime(sceneNamed(name))) << name;
+    const std::string sphere = R"("sphere": {"center": [0, 0, 0], "radius": 1})";
+    EXPECT_TRUE(
+        changesWithTime(sceneFrom(R"({"objects": [{)" + sphere + R"(, "motion": {"orbit": {"cos": [1, 0, 0]}}}]})")));
+    const auto textured = [&](const char* scroll) {
+        return sceneFrom(std::string(R"({"materials": {"m": {"texture": {"image": "grid", "scroll": )") + scroll +
+                         R"(}}}, "objects": [{"material": "m", )" + sphere + "}]}");
+    };
+    EXPECT_TRUE(changesWithTime(textured("[0.1, 0]")));
+    EXPECT_FALSE(changesWithTime(textured("[0, 0]")));
 }
 
 } // namespace

@@ -43,6 +43,7 @@ bool Viewer::setScene(Scene scene, Problems& problems) {
     const CameraPose moved = camera_.pose();
     if (hasScene_ && !again) settings_.eye = settings_.target = {}, settings_.fov = {};
     scene_ = std::move(scene);
+    moves_ = changesWithTime(scene_);
     hasScene_ = true;
     placeCamera();
     if (again && userMoved) camera_.setPose(moved);
@@ -214,6 +215,7 @@ std::string Viewer::title() const {
     return settings_.pause ? text + ", paused" : text;
 }
 
-View Viewer::view() const { return {camera_.pose(), settings_.time, width_, height_}; }
+/// Where nothing moves the picture stands while the clock goes on, and may become sharp.
+View Viewer::view() const { return {camera_.pose(), moves_ ? settings_.time : 0, width_, height_}; }
 
 } // namespace gnomon

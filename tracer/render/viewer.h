@@ -75,6 +75,7 @@ class Viewer {
     Settings settings_;
     std::function<void(const std::string&)> report_;
     Scene scene_;
+    bool moves_ = false; ///< changesWithTime(scene_)
     Camera camera_;
     CameraPose home_; ///< the pose as the scene gave it
     Renderer renderer_;

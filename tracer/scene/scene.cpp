@@ -96,6 +96,14 @@ std::vector<Shape> shapesAt(const Scene& scene, double time) {
     return placed(scene, [time](const Orbit& orbit) { return swing(orbit, time); });
 }
 
+bool changesWithTime(const Scene& scene) {
+    const auto scrolls = [](const std::optional<TextureUse>& use) { return use && use->scroll != glm::dvec2(0); };
+    return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& object) {
+        const Material& material = scene.materials[std::size_t(object.material)];
+        return object.motion || scrolls(material.texture) || scrolls(material.normalMap);
+    });
+}
+
 std::vector<ShapeKind> drawnKinds(const Scene& scene) {
     constexpr double kHuge = 100;
     const std::vector<Shape> shapes = shapesAt(scene, 0);
