@@ -410,7 +410,9 @@ void Renderer::drawRows(const View& view, double scale, int from, int to) {
 void Renderer::show(const View& view, int rows, unsigned framebuffer) {
     const gl::Target &coarse = impl_->picture, &fine = impl_->aside;
     if (coarse.framebuffer && rows < fine.height) Impl::stretch(coarse, coarse.height, view, framebuffer);
-    if (fine.framebuffer && rows > 0) Impl::stretch(fine, rows, view, framebuffer);
+    // An edge that is stretched takes in something of the row above it, which is not drawn yet.
+    const int ready = rows < fine.height ? rows - 1 : rows;
+    if (fine.framebuffer && ready > 0) Impl::stretch(fine, ready, view, framebuffer);
 }
 
 bool Renderer::busy() { return impl_->busy(); }
