@@ -2,8 +2,8 @@
 // below: an estimate.
 //
 // distanceMandelbulb  no gradient (0): who needs one takes differences
-// Error               the true distance is at most about 4 times the estimate outside, which never exceeds it by more than
-//                     rounding in what was tried; inside it is 0 or a little below
+// Error               nothing that the estimate shows as inside lies within 0.99 of it (tests/shader/solid_test.cpp: 4000 points in 64
+//                     directions each). It jumps where an orbit escapes a round later
 // Source              D. White and P. Nylander's map, 2009; the estimate 1/2 |z| log |z| / |z'| is J. Hart et al., Ray Tracing
 //                     Deterministic 3-D Fractals, 1989, with the scalar derivative of I. Quilez's Mandelbulb article, 2009
 // Limits              power 2 … 16, iterations 1 … 32

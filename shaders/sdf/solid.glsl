@@ -120,6 +120,6 @@ Surface surface$Shape($Shape solid, Ray ray, float t) {
     return surface;
 }
 
-#if COVERS
+#if COVERS && !$SHAPE_ESTIMATED
 float thick$Shape($Shape solid, vec3 p, vec3 direction) { return 2.0 * solid.ball.w; }
 #endif

@@ -32,8 +32,6 @@ void addSearch(const KindCount& kind, Names& names) {
     names.values[type + "_SEARCH"] = int(kind.search);
     names.values[type + "_SEARCHED"] = searched;
     names.values[type + "_BLOCK"] = block;
-    names.values[type + "_CONVEX"] = shapeRow(kind.kind).convex;
-    names.values[type + "_BOUNDED"] = shapeRow(kind.kind).extent != nullptr;
     names.values["SEARCHES"] |= int(searched);
     names.values["BLOCKS"] |= int(block);
     names.values["HIERARCHIES"] |= int(kind.search == Search::Hierarchy);
@@ -44,6 +42,17 @@ void addSearch(const KindCount& kind, Names& names) {
         if (i % kPart == 0) names.lists[type + "_SIEVE"].push_back(part);
         names.lists[type + "_SIEVE_" + part].push_back(std::to_string(i));
     }
+}
+
+/// What is known of a kind's shape, and what its casters ask of the shadow models.
+void addShape(const KindCount& kind, Names& names) {
+    const std::string type = mapped(kind.type(), std::toupper);
+    const bool convex = shapeRow(kind.kind).convex, estimates = kind.solid && estimated(*kind.solid);
+    names.values[type + "_CONVEX"] = convex;
+    names.values[type + "_BOUNDED"] = shapeRow(kind.kind).extent != nullptr;
+    names.values[type + "_ESTIMATED"] = estimates;
+    names.values["ESTIMATED_CASTERS"] |= int(kind.casters > 0 && estimates);
+    names.values["MARCHED_CASTERS"] |= int(kind.casters > 0 && !convex && !estimates);
 }
 
 Names namesOf(const Features& f) {
@@ -87,12 +96,8 @@ Names namesOf(const Features& f) {
     for (const KindCount& kind : f.shapes) {
         shapes.push_back(kind.type());
         if (kind.casters > 0) casters.push_back(kind.type());
-        const bool estimates = kind.solid && estimated(*kind.solid);
-        names.values["ESTIMATED_CASTERS"] |= int(kind.casters > 0 && estimates);
-        names.values["MARCHED_CASTERS"] |= int(kind.casters > 0 && !shapeRow(kind.kind).convex && !estimates);
+        addShape(kind, names);
         addSearch(kind, names);
-        const std::string type = mapped(kind.type(), std::toupper);
-        names.values[type + "_ESTIMATED"] = kind.solid && estimated(*kind.solid);
     }
     std::string model(shadowRow(f.shadows).key);
     std::replace(model.begin(), model.end(), '-', '_');
