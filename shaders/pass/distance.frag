@@ -40,6 +40,6 @@ void main() {
     vec3 from = texelFetch(viewpoints, at, 0).xyz;
     int object;
     outNearest = nearestObject(p, from, object);
-    outCasters = sceneDistance(p, from);
+    outCasters = sceneDistance(p, from, 3e38);
     outObject = vec4(float(object), 0.0, 0.0, 0.0);
 }

@@ -1,27 +1,50 @@
 // The scene as one distance: what all that casts shadows leaves free about a point.
 //
 // sceneDistance  xyz: gradient, unit; w: signed distance of the nearest of all objects that cast shadows, with `from` as the
-//                shapes' own distances take it; beyond all numbers where there is none
+//                shapes' own distances take it. What is farther than `atMost` is not looked for: where nothing is nearer, w is that
 // Error          that of the nearest object's shape. Where bodies overlap, w inside is that of the deepest one: a bound from
 //                above for the way out of all of them
-// Cost           every object once: one loop a kind
+// Cost           one loop a kind: over every object, or over those that a search comes to (sdf/nearby.glsl)
 #for Shape in CASTERS
 #include "primitive/$shape.glsl"
 #endfor
 #if OUTPUT == STEPS
 #include "sdf/count.glsl"
 #endif
+#if RACKS || NEARBY
+#include "sdf/nearby.glsl"
+#endif
 
-vec4 sceneDistance(vec3 p, vec3 from) {
+vec4 nearer(vec4 a, vec4 b) { return b.w < a.w ? b : a; }
+
+#for Shape in CASTERS
+vec4 nearer$Shape(vec4 nearest, int index, vec3 p, vec3 from) {
+    return nearer(nearest, distance$Shape(load$Shape(k$ShapeBase + index * k$ShapeTexels), p, from));
+}
+#endfor
+
+vec4 sceneDistance(vec3 p, vec3 from, float atMost) {
 #if OUTPUT == STEPS
     ++evaluations;
 #endif
-    vec4 nearest = vec4(0.0, 1.0, 0.0, 3e38);
+    vec4 nearest = vec4(0.0, 1.0, 0.0, atMost);
 #for Shape in CASTERS
-    for (int i = 0; i < k$ShapeCasters; ++i) {
-        vec4 other = distance$Shape(load$Shape(k$ShapeBase + i * k$ShapeTexels), p, from);
-        nearest = other.w < nearest.w ? other : nearest;
+#if $SHAPE_RACK
+    nearest = nearer$Shape(nearest, nearestCell(k$ShapeBlock, vec3(k$ShapeBlockX, k$ShapeBlockY, k$ShapeBlockZ), p), p, from);
+#endif
+#if $SHAPE_NEARBY
+    GridPoint point$Shape = gridPoint(k$ShapeGrid, p);
+    int node$Shape = 0;
+    for (int i = k$ShapeLoose; i <= k$ShapeCount; ++i) {
+        int index = k$ShapeLoose + nextNearby(point$Shape, k$ShapeGrid + 2, k$ShapeNodes, nearest.w, node$Shape);
+        if (index < k$ShapeLoose) break;
+        if (index < k$ShapeCasters) nearest = nearer$Shape(nearest, index, p, from);
     }
+#elif $SHAPE_RACK
+    for (int i = k$ShapeLoose; i < k$ShapeCasters; ++i) nearest = nearer$Shape(nearest, i, p, from);
+#else
+    for (int i = 0; i < k$ShapeCasters; ++i) nearest = nearer$Shape(nearest, i, p, from);
+#endif
 #endfor
     return nearest;
 }

@@ -2,8 +2,9 @@
 //
 // ShadowCone  axis from the centre of the surface sphere to that of the light; it touches both spheres (its radii are those
 //             of the discs where it does so, measured across the axis)
-// coneRadius  at t along the axis
-// shareOf     tau: the part of a unit disc that a half plane at signed distance r from its middle leaves, -1: none, 1: all
+// coneRadius    at t along the axis
+// coneDistance  what the scene leaves free there
+// shareOf       tau: the part of a unit disc that a half plane at signed distance r from its middle leaves, -1: none, 1: all
 // Model       what stands in the way is a half plane, and of several things the nearest to the axis alone counts: the share
 //             is shareOf(least of distance / radius). Pointed, several and thin occluders break that; so do wide lights,
 //             since a cone that touches the surface at its start finds cos(alpha) there instead of 1
@@ -16,6 +17,8 @@ struct ShadowCone {
     float reach;
     float radius;
     float slope;
+    float at;   // where the scene's distance was asked for last
+    float free; // and what it was
 };
 
 // The surface sphere touches the surface and has the pixel's radius, at least what float32 resolves of the coordinates.
@@ -27,7 +30,7 @@ ShadowCone coneOf(Beam beam) {
     float distance = max(length(toLight), 1e-20);
     float sine = clamp((beam.lightRadius - r0) / distance, -0.999, 0.999);
     float secant = inversesqrt(1.0 - sine * sine);
-    return ShadowCone(start, toLight / distance, distance, r0 * secant, sine * secant);
+    return ShadowCone(start, toLight / distance, distance, r0 * secant, sine * secant, 0.0, 3e38);
 }
 
 // Never quite 0: towards a light without size the cone ends in a point.
@@ -47,4 +50,11 @@ float shareOf(float r) {
     return clamp(0.5 + (r * sqrt(1.0 - r * r) + arcsine(r)) / 3.14159265358979, 0.0, 1.0);
 }
 
-float coneDistance(ShadowCone cone, float t) { return sceneDistance(cone.start + t * cone.axis, cone.start).w; }
+// A distance grows by no more than its point moves, and its rounding: what is farther need not be asked.
+float coneDistance(inout ShadowCone cone, float t) {
+    vec3 p = cone.start + t * cone.axis;
+    float atMost = 1.0001 * (cone.free + abs(t - cone.at)) + 1e-5 * (abs(p.x) + abs(p.y) + abs(p.z));
+    cone.at = t;
+    cone.free = sceneDistance(p, cone.start, min(atMost, 3e38)).w;
+    return cone.free;
+}

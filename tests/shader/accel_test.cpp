@@ -31,8 +31,7 @@ struct Shot {
     double fov = 40;
 };
 
-Settings sized(Accel accel, Aov aov, int depth) {
-    Settings settings;
+Settings sized(Accel accel, Aov aov, int depth, Settings settings = {}) {
     settings.size = {161, 121}; // odd: the middle column and row look straight ahead
     settings.accel = accel;
     settings.aov = aov;
@@ -65,12 +64,13 @@ bool searches(const Scene& scene, Accel accel) {
 }
 
 /// Pictures of `aov` with and without a search are the same. Says how many different values the pictures have.
-int alike(const Scene& scene, const std::vector<Shot>& shots, Aov aov, int depth) {
+int alike(const Scene& scene, const std::vector<Shot>& shots, Aov aov, int depth, const Settings& others = {}) {
     EXPECT_TRUE(searches(scene, Accel::Hierarchy));
     EXPECT_FALSE(searches(scene, Accel::None));
     offscreen();
-    Drawing plain(scene, sized(Accel::None, aov, depth)), boxes(scene, sized(Accel::Hierarchy, aov, depth)),
-        chosen(scene, sized(Accel::Auto, aov, depth));
+    Drawing plain(scene, sized(Accel::None, aov, depth, others)),
+        boxes(scene, sized(Accel::Hierarchy, aov, depth, others)),
+        chosen(scene, sized(Accel::Auto, aov, depth, others));
     std::set<float> values;
     for (std::size_t i = 0; i < shots.size(); ++i) {
         aim(plain, shots[i]);
@@ -266,6 +266,48 @@ TEST(Hierarchies, LeaveAMixedCloudAsItIs) {
     shapes.push_back(anyShape(dice, ShapeKind::Cylinder, 0.3));
     shapes.push_back({ShapeKind::Plane, {glm::dvec4(0, -1.2, 0, 0), glm::dvec4(0, 1, 0, 0), {}}});
     expectAlike(studio(shapes), kAround, 80);
+}
+
+// ---- Shadow cones, which ask for the distance of whatever is nearest
+
+/// Of lights as large as that; so few steps that llvmpipe, which ends all loops of a pixel after 65 536 turns, asks all
+/// objects in each of them.
+void expectShadowsAlike(const Scene& scene, ShadowModel model, int values) {
+    Settings settings;
+    settings.shadows = model;
+    settings.lightRadius = 0.4;
+    settings.shadowSteps = 100;
+    const std::vector<Shot> shots{{{2, 3, 4}, {0, 0, 0}}, {{0.1, 0.2, 0.3}, {-1, 0.1, 0.2}, 0, 90}};
+    EXPECT_GT(alike(scene, shots, Aov::Visibility, 1, settings), values);
+}
+
+TEST(Distances, OfARackAreTheSameFromTheNearestCell) {
+    const Scene scene = rack({6, 4, 5}, [](glm::dvec3 at) {
+        return R"({"sphere": {"center": )" + textOf(at) + R"(, "radius": 0.43}, "material": "dull"})";
+    });
+    EXPECT_EQ(blockOf(scene), 120);
+    for (const ShadowModel model : {ShadowModel::ConeLinear, ShadowModel::Quilez})
+        expectShadowsAlike(scene, model, 900);
+}
+
+Scene overGround(std::vector<Shape> shapes) {
+    shapes.push_back({ShapeKind::Plane, {glm::dvec4(0, -1.2, 0, 0), glm::dvec4(0, 1, 0, 0), {}}});
+    return studio(shapes);
+}
+
+TEST(Distances, OfACloudAreTheSameFromAHierarchy) {
+    const Scene scene = overGround(inACube(300, 0.2));
+    for (const ShadowModel model :
+         {ShadowModel::ConeLinear, ShadowModel::ConeBase, ShadowModel::Quilez, ShadowModel::Aaltonen})
+        expectShadowsAlike(scene, model, 900);
+    expectShadowsAlike(overGround(clustered(300)), ShadowModel::ConeLinear, 900);
+}
+
+TEST_P(CloudOf, ThrowsTheSameShadowsWithHierarchies) {
+    Dice dice(23);
+    std::vector<Shape> shapes;
+    for (int i = 0; i < 80; ++i) shapes.push_back(anyShape(dice, GetParam(), 0.2));
+    expectShadowsAlike(overGround(shapes), ShadowModel::ConeLinear, 900);
 }
 
 // ---- Edges that triangles share, where rays meet both at one distance

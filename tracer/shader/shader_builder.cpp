@@ -55,6 +55,19 @@ void addShape(const KindCount& kind, Names& names) {
     names.values["MARCHED_CASTERS"] |= int(kind.casters > 0 && !convex && !estimates);
 }
 
+/// How distances find the object of a kind that is nearest to a point. Boxes leave out nothing where a shape's distance
+/// is exact: an estimate may be less than that of the box about it.
+void addNearest(const KindCount& kind, Names& names) {
+    const std::string type = mapped(kind.type(), std::toupper);
+    const bool block = kind.blockMembers() > 0, rack = block && kind.kind == ShapeKind::Sphere;
+    const bool exact = !kind.solid && kind.kind != ShapeKind::Mandelbulb;
+    const bool nearby = kind.search == Search::Hierarchy && exact && (rack || !block);
+    names.values[type + "_RACK"] = rack;
+    names.values[type + "_NEARBY"] = nearby;
+    names.values["RACKS"] |= int(rack && kind.casters > 0);
+    names.values["NEARBY"] |= int(nearby && kind.casters > 0);
+}
+
 Names namesOf(const Features& f) {
     Names names;
     names.values = {
@@ -98,6 +111,7 @@ Names namesOf(const Features& f) {
         if (kind.casters > 0) casters.push_back(kind.type());
         addShape(kind, names);
         addSearch(kind, names);
+        addNearest(kind, names);
     }
     std::string model(shadowRow(f.shadows).key);
     std::replace(model.begin(), model.end(), '-', '_');
