@@ -1,4 +1,5 @@
 /// gnomon bench: frames a second over depth, shadows, size and whatever else is to be compared.
+#include "native/bench_pictures.h"
 #include "native/bench_tables.h"
 #include "native/commands.h"
 #include "native/environment.h"
@@ -89,7 +90,7 @@ double deadlineOf(double deadline, std::size_t contextsLeft) {
 }
 
 ContextCosts measure(const BenchOptions& options, const BenchPlan& plan, const std::vector<Loaded>& scenes,
-                     const std::string& name, double deadline, Problems& problems) {
+                     const std::string& name, double deadline, BenchPictures& pictures, Problems& problems) {
     ContextCosts costs{name, {}, {}, 0};
     const auto context = makeBenchContext(name, problems);
     if (!context) return costs;
@@ -106,6 +107,7 @@ ContextCosts measure(const BenchOptions& options, const BenchPlan& plan, const s
         LabProgress progress(std::size_t(drawn) * std::size_t(options.rounds() + 1), name + ": drawn", deadline);
         lab.race(options.rounds(), deadline, progress);
     }
+    if (options.files.writes()) pictures.draw(lab, problems);
     costs.costs = lab.costs();
     costs.rounds = lab.rounds();
     return costs;
@@ -130,7 +132,7 @@ void print(const BenchPlan& plan, const ContextCosts& costs) {
 }
 
 int finish(const BenchOptions& options, const BenchPlan& plan, const std::vector<ContextCosts>& all,
-           Problems& problems) {
+           const BenchPictures& pictures, Problems& problems) {
     Results results{"Frames a second",
                     commandOf(options, plan),
                     mergedEnvironment(all),
@@ -140,6 +142,7 @@ int finish(const BenchOptions& options, const BenchPlan& plan, const std::vector
     std::printf("\nTimes are medians, in brackets the quartiles of the rounds (%s).\n",
                 results.environment.back().second.c_str());
     if (LabProgress::interrupted()) std::printf("Interrupted: what was measured is kept.\n");
+    pictures.addTo(results);
     const bool complete = problems.empty();
     writeResults(options.files, results, problems);
     for (const std::string& file : {options.files.json, options.files.html})
@@ -162,13 +165,14 @@ int bench(const BenchOptions& options) {
     for (const std::string& name : options.contexts) makeBenchContext(name, problems);
     if (!problems.empty()) return fail(kNoGl, problems);
 
+    BenchPictures pictures(plan, options.contexts.size());
     std::vector<ContextCosts> all;
     for (std::size_t i = 0; i < options.contexts.size() && !LabProgress::interrupted(); ++i) {
         all.push_back(measure(options, plan, scenes, options.contexts[i],
-                              deadlineOf(deadline, options.contexts.size() - i), problems));
+                              deadlineOf(deadline, options.contexts.size() - i), pictures, problems));
         print(plan, all.back());
     }
-    return finish(options, plan, all, problems);
+    return finish(options, plan, all, pictures, problems);
 }
 
 std::string helpOf(const SettingRow& row) {

@@ -83,6 +83,15 @@ void BenchLab::prepare(LabProgress& progress, Problems& problems) {
     prepareSeconds_ = monotonicSeconds() - start;
 }
 
+Image BenchLab::picture(std::size_t entry, glm::ivec2 size, Problems& problems) {
+    Renderer& renderer = rendererOf(entry);
+    renderer.configure(plan_.entries[entry].settings);
+    View view = viewOf(entry);
+    view.width = size.x;
+    view.height = size.y;
+    return renderer.finish(problems) ? renderer.readPicture(view, problems) : Image{};
+}
+
 void BenchLab::turn(std::size_t entry, bool measured) {
     rendererOf(entry).configure(plan_.entries[entry].settings);
     const int frames = frames_[entry];

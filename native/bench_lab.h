@@ -37,6 +37,9 @@ class BenchLab {
     /// the monotonic clock, but one is drawn in any case.
     void race(int rounds, double deadline, LabProgress&);
 
+    /// What an entry that was drawn looks like, at a size of its own.
+    Image picture(std::size_t entry, glm::ivec2 size, Problems&);
+
     const std::vector<BenchCost>& costs() const { return costs_; }
     /// Rounds that were begun and measured.
     int rounds() const { return rounds_; }

@@ -26,21 +26,25 @@ Table emptyTable(const BenchPlan& plan, bool gpuTimed) {
             {key, key, axis.setting->key == "size" ? "pixels" : "", std::string(axis.setting->help)});
     }
     table.keys = int(table.columns.size());
-    table.columns.push_back({"fps", "FPS", "1/s", "One over the median frame"});
-    appendColumn(
-        {"frame", "frame", "ms", "Wall clock, from asking for a frame to its last pixel: median of the rounds"}, table);
+    table.columns.push_back({"fps", "FPS", "1/s", "One over the median frame", Kind::None, Better::Higher});
+    appendColumn({"frame", "frame", "ms", "Wall clock, from asking for a frame to its last pixel: median of the rounds",
+                  Kind::Time, Better::Lower},
+                 table);
     appendColumn({"frame_yards", "frame", "yardsticks",
                   "The frame beside a fixed picture drawn right before and after it: median of the rounds. By the "
                   "CPU's time where the processor draws. What slows the machine slows both; runs are compared by it"},
                  table);
-    appendColumn({"cpu", "CPU", "ms", "CPU time of a frame, all threads together: median of the rounds"}, table);
+    appendColumn({"cpu", "CPU", "ms", "CPU time of a frame, all threads together: median of the rounds", Kind::Time,
+                  Better::Lower},
+                 table);
     if (gpuTimed) table.columns.push_back({"gpu", "GPU", "ms", "By the GL's own timer: median of the rounds"});
     appendColumn({"ratio", "ratio", plan.baselineText + " = 1",
-                  "Of the frame's time to the baseline's in the same round: median of the rounds"},
+                  "Of the frame's time to the baseline's in the same round: median of the rounds", Kind::Ratio,
+                  Better::Lower},
                  table);
     table.columns.push_back({"compile", "compile", "ms", "Compiled, linked and drawn as one pixel, nothing cached"});
     table.columns.push_back({"first", "first frame", "ms", "The first frame of full size after that"});
-    table.columns.push_back({"source", "source", "bytes", "Of the specialised shader"});
+    table.columns.push_back({"source", "source", "bytes", "Of the specialised shader", Kind::Count, Better::Lower});
     table.columns.push_back({"rounds", "rounds", "", "Measured"});
     table.columns.push_back({"passes", "passes", "", "Programs were compiled anew so often for the rounds"});
     return table;

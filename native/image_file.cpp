@@ -35,15 +35,6 @@ void append(void* bytes, void* data, int size) {
     static_cast<std::string*>(bytes)->append(static_cast<const char*>(data), std::size_t(size));
 }
 
-/// The whole file in memory; empty where the picture cannot be encoded.
-std::string encodePng(const Image& image) {
-    std::vector<std::uint8_t> rgb;
-    for (std::size_t i = 0; i < image.rgba.size(); i += 4) rgb.insert(rgb.end(), &image.rgba[i], &image.rgba[i] + 3);
-    std::string bytes;
-    const bool done = stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, rgb.data(), image.width * 3);
-    return done ? bytes : std::string();
-}
-
 std::string encodePfm(const FloatImage& image) {
     std::string bytes = image.channels == 3 ? "PF\n" : "Pf\n";
     bytes += std::to_string(image.width) + " " + std::to_string(image.height) + "\n-1.0\n";
@@ -105,6 +96,14 @@ bool writeWhole(const std::string& file, const std::string& bytes, Problems& pro
 
 } // namespace
 
+std::string toPng(const Image& image) {
+    std::vector<std::uint8_t> rgb;
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) rgb.insert(rgb.end(), &image.rgba[i], &image.rgba[i] + 3);
+    std::string bytes;
+    const bool done = stbi_write_png_to_func(append, &bytes, image.width, image.height, 3, rgb.data(), image.width * 3);
+    return done ? bytes : std::string();
+}
+
 bool isPicture(const std::string& file) { return extensionOf(file) == ".png"; }
 
 bool checkImageFile(const std::string& file, Aov aov, Problems& problems) {
@@ -135,7 +134,7 @@ bool writeImage(const std::string& file, const FloatImage& image, Problems& prob
 }
 
 bool writeImage(const std::string& file, const Image& image, Problems& problems) {
-    return writeWhole(file, encodePng(image), problems);
+    return writeWhole(file, toPng(image), problems);
 }
 
 } // namespace gnomon

@@ -24,4 +24,7 @@ bool writeImage(const std::string& file, const FloatImage&, Problems&);
 /// Writes what Renderer::readPicture gave: .png.
 bool writeImage(const std::string& file, const Image&, Problems&);
 
+/// The whole file in memory; empty where the picture cannot be encoded.
+std::string toPng(const Image&);
+
 } // namespace gnomon

@@ -14,6 +14,8 @@ namespace gnomon {
 
 struct LabOptions {
     std::string context = "osmesa", json, html;
+
+    bool writes() const { return !json.empty() || !html.empty(); }
 };
 void addLabOptions(CLI::App& command, LabOptions&);
 void checkLabOptions(const LabOptions&, Problems&);

@@ -60,11 +60,13 @@ int writePage(const ReportOptions& options, const std::vector<Results>& runs, Pr
     return kDone;
 }
 
+void print(const Table& table) { std::printf("\n%s\n\n%s", table.title.c_str(), toMarkdown(table).c_str()); }
+
+/// The summary comes last, where a terminal's reader looks first.
 void print(const Results& comparison) {
     for (const auto& [name, value] : comparison.environment) std::printf("%-10s %s\n", name.c_str(), value.c_str());
-    for (const Table& table : comparison.tables)
-        std::printf("\n%s\n\n%s", table.title.c_str(), toMarkdown(table).c_str());
-    std::printf("\n%s", comparisonSummary(comparison).c_str());
+    for (std::size_t i = 1; i < comparison.tables.size(); ++i) print(comparison.tables[i]);
+    print(comparison.tables.front());
 }
 
 /// The comparison comes first on the page, then both runs.
@@ -77,7 +79,9 @@ int compareFiles(const ReportOptions& options) {
     if (!problems.empty()) return fail(kInputWrong, problems);
     comparison.command = "gnomon report --against " + options.against + " " + options.files.front() +
                          " --tolerance=" + toString(options.tolerance);
-    comparison.environment.emplace_back("tolerance", toString(options.tolerance) + " %");
+    comparison.environment.emplace_back("tolerance", "times and ratios " + toString(options.tolerance) +
+                                                         " % beyond noise, errors " + toString(100 * kErrorTolerance) +
+                                                         " %, counts none");
     print(comparison);
     if (!options.json.empty() && !writeText(options.json, toJson(comparison), problems))
         return fail(kInputWrong, problems);
@@ -103,9 +107,13 @@ void addReport(CLI::App& app, Task& task) {
         ->type_name("")
         ->required();
     command->add_option("-o,--output", options->page, "The page: one file that loads nothing")->type_name("FILE.html");
-    command->add_option("--against", options->against, "Says of each row whether it became faster or slower")
+    command
+        ->add_option("--against", options->against,
+                     "Says of each row whether it became faster or slower, better or worse")
         ->type_name("OLD.json");
-    command->add_option("--tolerance", options->tolerance, "Per cent that runs of one program may differ by [5]")
+    command
+        ->add_option("--tolerance", options->tolerance,
+                     "Per cent that times of one program may differ by beyond noise [5]")
         ->type_name("PERCENT");
     command->add_option("--json", options->json, "Write the comparison")->type_name("FILE");
     command->callback([&task, options] { task = [options] { return report(*options); }; });

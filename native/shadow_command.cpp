@@ -1,6 +1,7 @@
 /// gnomon lab shadows: what shadow models cost and how wrong they are.
 #include "native/environment.h"
 #include "native/lab_command.h"
+#include "native/result_pictures.h"
 #include "native/shadow_lab.h"
 #include "native/shadow_pictures.h"
 #include "native/shadow_tables.h"
@@ -102,6 +103,8 @@ int labShadows(ShadowOptions options) {
     results.environment.emplace_back("reference",
                                      "Monte Carlo, " + std::to_string(options.plan.reference) + " samples");
     printEnvironment(results.environment);
+    if (options.lab.writes())
+        options.plan.pictures = pictureSize(options.plan.size, scenes.size() * picturesOf(options.plan));
     LabProgress progress(scenes.size() * stepsOf(options.plan));
     std::vector<ShadowCosts> measured;
     for (const Loaded& scene : scenes) {
@@ -114,7 +117,8 @@ int labShadows(ShadowOptions options) {
         measured.insert(measured.end(), costs.begin(), costs.end());
     }
     results.tables = {shadowTable(measured), variantTable(measured), rivalTable(measured)};
-    results.charts = shadowCharts();
+    results.charts = shadowCharts(measured);
+    addShadowPictures(measured, results.environment.back().second, results);
     print(results.tables[1]);
     print(results.tables[2]);
     if (LabProgress::interrupted()) std::printf("\ninterrupted: what is done is kept\n");

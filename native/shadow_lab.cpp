@@ -1,5 +1,7 @@
 #include "native/shadow_lab.h"
 
+#include "native/result_pictures.h"
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -48,6 +50,12 @@ class Scenery {
         return sum;
     }
 
+    /// Empty where the plan wants none.
+    Image pictureOf(const FloatImage& colors) const {
+        if (!plan_.pictures || !problems_.empty()) return {};
+        return shown(colors, *plan_.pictures, loaded_.scene.encoding == Encoding::Linear);
+    }
+
     const View& view() const { return view_; }
 
   private:
@@ -88,12 +96,15 @@ bool readBack(Scenery& scenery, const ShadowPlan& plan, ShadowCosts& costs, LabP
     const FloatImage fractions = scenery.reference(exact, costs.radius, Aov::Visibility);
     const FloatImage picture = scenery.reference(exact, costs.radius, Aov::Color);
     if (!problems.empty()) return false;
+    costs.reference = scenery.pictureOf(picture);
     const double bare = meanOf(scenery.output(off, costs.radius, Aov::Steps), 0);
     if (!progress.step()) return false;
     for (ShadowCost& cost : costs.ways) {
         const auto output = [&](Aov aov) { return scenery.output(cost.way, costs.radius, aov); };
         cost.visibility = errorsOf(differences(output(Aov::Visibility), fractions, objects));
-        cost.picture = errorsOf(differences(output(Aov::Color), picture, objects));
+        const FloatImage colors = output(Aov::Color);
+        cost.picture = errorsOf(differences(colors, picture, objects));
+        cost.image = scenery.pictureOf(colors);
         cost.evaluations = meanOf(output(Aov::Steps), 0) - bare;
         if (shadowRow(cost.way.model).rays) cost.shadowRays = meanOf(output(Aov::Work), 2);
         if (!problems.empty() || !progress.step()) return false;
@@ -173,6 +184,10 @@ std::size_t stepsOf(const ShadowPlan& plan) {
     return std::max<std::size_t>(plan.radii.size(), 1) * ((ways + 1) * std::size_t(plan.rounds + 1) + ways + 1);
 }
 
+std::size_t picturesOf(const ShadowPlan& plan) {
+    return std::max<std::size_t>(plan.radii.size(), 1) * (waysOf(plan).size() + 1);
+}
+
 std::vector<ShadowCosts> measureShadows(const Loaded& loaded, const ShadowPlan& plan, double (*clock)(),
                                         LabProgress& progress, Problems& problems) {
     std::vector<ShadowCosts> all;
@@ -184,8 +199,8 @@ std::vector<ShadowCosts> measureShadows(const Loaded& loaded, const ShadowPlan& 
     std::vector<double> radii = plan.radii;
     if (radii.empty()) radii = {loaded.scene.lights[0].radius};
     for (const double radius : radii) {
-        ShadowCosts costs{loaded.scene.name, radius, {}, {}};
-        for (const ShadowWay& way : waysOf(plan)) costs.ways.push_back({way, {}, 0, {}, {}, {}, false});
+        ShadowCosts costs{loaded.scene.name, radius, {}, {}, {}};
+        for (const ShadowWay& way : waysOf(plan)) costs.ways.push_back({way, {}, 0, {}, {}, {}, false, {}});
         if (!readBack(scenery, plan, costs, progress, problems)) break;
         if (!raceAll(scenery, plan, costs, clock, progress, problems)) break;
         if (costs.bare.empty()) break;

@@ -37,6 +37,7 @@ struct ShadowCost {
     std::optional<double> shadowRays; ///< a pixel, of models that shoot them
     Errors visibility, picture;
     bool front = false; ///< no other way is both faster and nearer to the reference
+    Image image;        ///< where the plan asks for pictures
 };
 
 /// One scene under lights of one radius.
@@ -45,6 +46,7 @@ struct ShadowCosts {
     double radius = 0;
     std::vector<double> bare; ///< seconds of a frame without shadows, in each round
     std::vector<ShadowCost> ways;
+    Image reference; ///< where the plan asks for pictures
 };
 
 struct ShadowPlan {
@@ -55,7 +57,8 @@ struct ShadowPlan {
     std::vector<int> samples{1, 4, 16, 64};
     std::vector<ShadowModel> models; ///< off and hard aside
     bool bothDirections = true;
-    std::optional<CameraPose> camera; ///< instead of the scene's
+    std::optional<CameraPose> camera;     ///< instead of the scene's
+    std::optional<glm::ivec2> pictures{}; ///< their size
 };
 
 /// As the laboratory draws a way; the scene's own radii where none is given.
@@ -63,6 +66,9 @@ Settings settingsFor(const ShadowPlan&, const ShadowWay&, std::optional<double> 
 std::vector<ShadowWay> waysOf(const ShadowPlan&);
 /// For LabProgress: frames drawn, references and read-backs.
 std::size_t stepsOf(const ShadowPlan&);
+
+/// Ways and references under every radius of one scene.
+std::size_t picturesOf(const ShadowPlan&);
 
 /// A scene under each radius. Less where the user wants no more; problems where GL cannot.
 std::vector<ShadowCosts> measureShadows(const Loaded&, const ShadowPlan&, double (*clock)(), LabProgress&, Problems&);

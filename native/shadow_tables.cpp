@@ -1,5 +1,7 @@
 #include "native/shadow_tables.h"
 
+#include "native/result_pictures.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,16 +32,22 @@ const ShadowCost* find(const ShadowCosts& costs, const ShadowWay& way) {
     return found == costs.ways.end() ? nullptr : &*found;
 }
 
-std::vector<Cell> rowOf(const ShadowCosts& costs, const ShadowCost& cost) {
-    const ShadowWay& way = cost.way;
-    const Quartiles ratio = ratioOf(cost.seconds, costs.bare);
+std::vector<Cell> keysOf(const ShadowCosts& costs, const ShadowWay& way) {
     std::vector<Cell> row{costs.scene, costs.radius, std::string(shadowRow(way.model).key), Cell{}, Cell{}, Cell{}};
     if (marchesCones(way.model)) {
         row[3] = nameOf(way.direction);
         row[4] = way.epsilon;
     }
     if (way.model == ShadowModel::Montecarlo) row[5] = double(way.samples);
-    row.insert(row.end(), {1e3 * median(cost.seconds), ratio.median, ratio.low, ratio.high, cost.evaluations, Cell{}});
+    return row;
+}
+
+std::vector<Cell> rowOf(const ShadowCosts& costs, const ShadowCost& cost) {
+    const Quartiles ratio = ratioOf(cost.seconds, costs.bare);
+    std::vector<Cell> row = keysOf(costs, cost.way);
+    const Quartiles frame = quartilesOf(cost.seconds);
+    row.insert(row.end(), {1e3 * frame.median, 1e3 * frame.low, 1e3 * frame.high, ratio.median, ratio.low, ratio.high,
+                           cost.evaluations, Cell{}});
     if (cost.shadowRays) row.back() = *cost.shadowRays;
     const Errors& fraction = cost.visibility;
     row.insert(row.end(), {fraction.rmse, fraction.mean, fraction.most999, fraction.most, cost.picture.rmse});
@@ -60,32 +68,38 @@ const ShadowCost* monteCarloWithin(const ShadowCosts& costs, double seconds) {
 } // namespace
 
 Table shadowTable(const std::vector<ShadowCosts>& all) {
-    Table table{"shadows", "Shadow models: cost and error", {}, {}};
-    table.columns = {{"scene", "scene", "", ""},
-                     {"radius", "light radius", "scene units", "Of all lights"},
-                     {"model", "model", "", "As --shadows says"},
-                     {"direction", "direction", "", "A: from the surface, B: from the light"},
-                     {"epsilon", "epsilon", "", "Error of the light fraction that cones may make"},
-                     {"samples", "samples", "", "Shadow rays to a light"},
-                     {"frame", "frame", "ms", "Median of the rounds"},
-                     {"ratio", "frame time", "no shadows = 1", "In the same round: median"},
-                     {"ratio_low", "frame time, lower quartile", "", "Of the rounds"},
-                     {"ratio_high", "frame time, upper quartile", "", "Of the rounds"},
-                     {"evaluations", "evaluations", "a pixel", "Of distances, for shadows: mean"},
-                     {"shadow_rays", "shadow rays", "a pixel", "Mean"},
-                     {"rmse", "error", "light fraction", "Root of the mean square, over pixels that see a surface"},
-                     {"mean", "mean error", "light fraction", "Above 0: too light"},
-                     {"error_999", "error, 99.9 %", "light fraction", "All but one pixel in a thousand are nearer"},
-                     {"error_max", "error, greatest", "light fraction", ""},
-                     {"picture", "error of the picture", "colour", "Root of the mean square of the linear colours"},
-                     {"front", "front", "", "No other way is both faster and nearer to the reference"}};
+    Table table{"shadows", "Shadow models: cost and error", {}, {}, 6};
+    table.columns = {
+        {"scene", "scene", "", ""},
+        {"radius", "light radius", "scene units", "Of all lights"},
+        {"model", "model", "", "As --shadows says"},
+        {"direction", "direction", "", "A: from the surface, B: from the light"},
+        {"epsilon", "epsilon", "", "Error of the light fraction that cones may make"},
+        {"samples", "samples", "", "Shadow rays to a light"},
+        {"frame", "frame", "ms", "Median of the rounds", Kind::Time, Better::Lower},
+        {"frame_low", "frame, lower quartile", "ms", "Of the rounds"},
+        {"frame_high", "frame, upper quartile", "ms", "Of the rounds"},
+        {"ratio", "frame time", "no shadows = 1", "In the same round: median", Kind::Ratio, Better::Lower},
+        {"ratio_low", "frame time, lower quartile", "", "Of the rounds"},
+        {"ratio_high", "frame time, upper quartile", "", "Of the rounds"},
+        {"evaluations", "evaluations", "a pixel", "Of distances, for shadows: mean", Kind::Count, Better::Lower},
+        {"shadow_rays", "shadow rays", "a pixel", "Mean", Kind::Count, Better::Lower},
+        {"rmse", "error", "light fraction", "Root of the mean square, over pixels that see a surface", Kind::Error,
+         Better::Lower},
+        {"mean", "mean error", "light fraction", "Above 0: too light", Kind::Error, Better::Lower},
+        {"error_999", "error, 99.9 %", "light fraction", "All but one pixel in a thousand are nearer", Kind::Error,
+         Better::Lower},
+        {"error_max", "error, greatest", "light fraction", "", Kind::Error, Better::Lower},
+        {"picture", "error of the picture", "colour", "Root of the mean square of the linear colours", Kind::Error,
+         Better::Lower},
+        {"front", "front", "", "No other way is both faster and nearer to the reference"}};
     for (const ShadowCosts& costs : all)
         for (const ShadowCost& cost : costs.ways) table.rows.push_back(rowOf(costs, cost));
     return table;
 }
 
 Table variantTable(const std::vector<ShadowCosts>& all) {
-    Table table{"variants", "Variants of the cone march: frame times, no shadows = 1", {}, {}};
+    Table table{"variants", "Variants of the cone march: frame times, no shadows = 1", {}, {}, 4};
     table.columns = {{"scene", "scene", "", ""},
                      {"radius", "light radius", "scene units", ""},
                      {"epsilon", "epsilon", "", ""},
@@ -115,7 +129,7 @@ Table variantTable(const std::vector<ShadowCosts>& all) {
 }
 
 Table rivalTable(const std::vector<ShadowCosts>& all) {
-    Table table{"rivals", "Against the linear variant at epsilon 1/30, direction A", {}, {}};
+    Table table{"rivals", "Against the linear variant at epsilon 1/30, direction A", {}, {}, 3};
     table.columns = {{"scene", "scene", "", ""},
                      {"radius", "light radius", "scene units", ""},
                      {"way", "way", "", "Model with epsilon and direction, or samples"},
@@ -144,30 +158,42 @@ Table rivalTable(const std::vector<ShadowCosts>& all) {
     return table;
 }
 
-std::vector<Chart> shadowCharts() {
-    const Chart plane{"Speed against error: frame time (no shadows = 1) and error of the light fraction",
+std::vector<Chart> shadowCharts(const std::vector<ShadowCosts>& all) {
+    std::set<std::string> scenes;
+    std::set<double> radii;
+    for (const ShadowCosts& costs : all) {
+        scenes.insert(costs.scene);
+        radii.insert(costs.radius);
+    }
+    const Chart plane{
+        "Speed against error", "shadows", "ratio", {{"rmse", ""}}, "model", "scene", {}, true, true, "front"};
+    std::vector<Chart> charts;
+    if (all.size() == scenes.size()) { // one light each
+        charts.push_back(plane);
+        radii.clear();
+    }
+    for (const double radius : radii) {
+        charts.push_back(plane);
+        charts.back().where = {{"radius", toString(radius)}};
+        charts.back().title += ", light radius " + toString(radius);
+    }
+    charts.push_back({"Frame time over epsilon, linear variant, for each light radius",
                       "shadows",
-                      "ratio",
-                      {{"rmse", ""}},
-                      "model",
+                      "epsilon",
+                      {{"ratio", ""}},
+                      "radius",
                       "scene",
-                      {},
+                      {{"model", "cone-linear"}, {"direction", "A"}},
                       true,
-                      true};
-    Chart sweep{"Frame time over epsilon, linear variant, for each light radius",
-                "shadows",
-                "epsilon",
-                {{"ratio", ""}},
-                "radius",
-                "scene",
-                {{"model", "cone-linear"}, {"direction", "A"}},
-                true,
-                false};
-    Chart front = plane;
-    front.title = "The front: ways than which no other is both faster and nearer to the reference";
-    front.series = "";
-    front.where = {{"front", "yes"}};
-    return {plane, front, sweep};
+                      false});
+    return charts;
+}
+
+void addShadowPictures(const std::vector<ShadowCosts>& all, const std::string& reference, Results& results) {
+    for (const ShadowCosts& costs : all)
+        for (const ShadowCost& cost : costs.ways)
+            addPicture({costs.scene + ", " + nameOf(cost.way), "shadows", keysOf(costs, cost.way), 0, {}, reference},
+                       cost.image, costs.reference, results);
 }
 
 } // namespace gnomon

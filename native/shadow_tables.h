@@ -14,6 +14,9 @@ Table shadowTable(const std::vector<ShadowCosts>&);
 Table variantTable(const std::vector<ShadowCosts>&);
 /// The best of ours beside the source's linear variant at epsilon 1/30 and Monte Carlo at equal time.
 Table rivalTable(const std::vector<ShadowCosts>&);
-std::vector<Chart> shadowCharts();
+/// Speed against error with its front for each radius, and the time over epsilon.
+std::vector<Chart> shadowCharts(const std::vector<ShadowCosts>&);
+/// What each way draws, beside the reference of that title.
+void addShadowPictures(const std::vector<ShadowCosts>&, const std::string& reference, Results&);
 
 } // namespace gnomon

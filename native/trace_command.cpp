@@ -1,6 +1,7 @@
 /// gnomon lab trace: what finding objects costs, by accelerator and data path, beside the source's way of tracing.
 #include "native/environment.h"
 #include "native/lab_command.h"
+#include "native/result_pictures.h"
 #include "native/trace_lab.h"
 #include "native/trace_tables.h"
 
@@ -70,10 +71,20 @@ void print(const Table& table) {
     std::fflush(stdout);
 }
 
+/// Their size, where files are written.
+std::optional<glm::ivec2> picturesFor(const TraceOptions& options, const Settings& settings,
+                                      const std::vector<Loaded>& scenes) {
+    if (!options.lab.writes()) return std::nullopt;
+    std::size_t count = 0;
+    for (const Loaded& scene : scenes) count += TraceLab::picturesOf(scene.scene);
+    for (const Arrangement arrangement : kArrangements) count += TraceLab::picturesOf(arrangement, options.spheres);
+    return pictureSize(settings.size, count);
+}
+
 /// False, with problems, where GL cannot; less where the user wants no more.
 bool measure(const TraceOptions& options, const Settings& settings, const std::vector<Loaded>& scenes,
              TraceResults& results, Problems& problems) {
-    const TraceLab lab(settings, options.repeats, labClock());
+    const TraceLab lab(settings, options.repeats, labClock(), picturesFor(options, settings, scenes));
     std::size_t steps = 0;
     for (const Loaded& scene : scenes) steps += lab.stepsOf(scene.scene);
     for (const Arrangement arrangement : kArrangements) steps += lab.stepsOf(arrangement, options.spheres);
@@ -125,6 +136,7 @@ int labTrace(const TraceOptions& options) {
     results.tables = {viewTable(measured.views), growthTable(measured.growth),
                       choiceTable(measured.views, measured.growth)};
     results.charts = traceCharts();
+    addTracePictures(measured.views, measured.growth, results);
     writeResults(options.lab, results, problems);
     return problems.empty() ? kDone : fail(kInputWrong, problems);
 }

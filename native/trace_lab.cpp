@@ -102,8 +102,16 @@ std::string nameOf(const TraceWay& way) {
 
 std::string dataOf(const TraceWay& way) { return way.data == DataPath::Block ? "block" : "texture"; }
 
-TraceLab::TraceLab(const Settings& settings, int rounds, double (*clock)())
-    : settings_(settings), rounds_(rounds), clock_(clock) {}
+TraceLab::TraceLab(const Settings& settings, int rounds, double (*clock)(), std::optional<glm::ivec2> pictures)
+    : settings_(settings), rounds_(rounds), clock_(clock), pictures_(pictures) {}
+
+std::size_t TraceLab::picturesOf(const Scene& scene) { return kSceneWays.size() * viewsOf(scene, {1, 1}).size(); }
+
+std::size_t TraceLab::picturesOf(Arrangement arrangement, const std::vector<int>& counts) {
+    std::size_t all = 0;
+    for (const int number : numbersOf(arrangement, counts)) all += waysFor(number).size();
+    return all;
+}
 
 Settings TraceLab::settingsFor(const TraceWay& way) const {
     Settings settings = settings_;
@@ -127,9 +135,7 @@ std::size_t TraceLab::stepsOf(const Scene& scene) const {
 }
 
 std::size_t TraceLab::stepsOf(Arrangement arrangement, const std::vector<int>& counts) const {
-    std::size_t entrants = 0;
-    for (const int number : numbersOf(arrangement, counts)) entrants += waysFor(number).size();
-    return entrants * std::size_t(rounds_ + 2);
+    return picturesOf(arrangement, counts) * std::size_t(rounds_ + 2);
 }
 
 std::optional<TraceLab::Prepared> TraceLab::prepare(const Scene& scene, const NamedImages& images, const TraceWay& way,
@@ -139,9 +145,16 @@ std::optional<TraceLab::Prepared> TraceLab::prepare(const Scene& scene, const Na
     if (!problems.empty()) return std::nullopt;
     const auto works = way.source ? std::nullopt : contender->count(views, problems);
     if (!problems.empty()) return std::nullopt;
-    TraceCost cost{way, {}, {}, contender->program(), searchOf(featuresFor(scene, way))};
+    TraceCost cost{way, {}, {}, contender->program(), searchOf(featuresFor(scene, way)), {}};
     std::vector<TraceCost> costs(views.size(), cost);
     for (std::size_t i = 0; works && i < costs.size(); ++i) costs[i].work = (*works)[i];
+    for (std::size_t i = 0; pictures_ && i < costs.size(); ++i) {
+        View view = views[i];
+        view.width = pictures_->x;
+        view.height = pictures_->y;
+        costs[i].image = contender->picture(settingsFor(way), view, problems);
+    }
+    if (!problems.empty()) return std::nullopt;
     return Prepared{std::move(contender), std::move(costs)};
 }
 

@@ -34,6 +34,7 @@ struct TraceCost {
     std::optional<Work> work;    ///< none of the source's way, which does not count
     ProgramStats program;
     std::string search; ///< what the way came to: `sphere: block 5x5x4, sieve`; all else is asked one by one
+    Image image{};      ///< where pictures are asked for
 };
 
 /// One picture, in all ways that can draw it.
@@ -59,7 +60,12 @@ inline constexpr int kMostLooped = 1000;
 class TraceLab {
   public:
     /// `settings` say size, depth and shadows. In the current context; `clock` counts the seconds of frames.
-    TraceLab(const Settings&, int rounds, double (*clock)());
+    /// Pictures of that size are drawn of every way.
+    TraceLab(const Settings&, int rounds, double (*clock)(), std::optional<glm::ivec2> pictures);
+
+    /// Views of a scene times the ways to draw it, numbers of spheres times theirs.
+    static std::size_t picturesOf(const Scene&);
+    static std::size_t picturesOf(Arrangement, const std::vector<int>& counts);
 
     /// For LabProgress: contenders made and frames drawn.
     std::size_t stepsOf(const Scene&) const;
@@ -89,6 +95,7 @@ class TraceLab {
     Settings settings_;
     int rounds_;
     double (*clock_)();
+    std::optional<glm::ivec2> pictures_;
 };
 
 } // namespace gnomon

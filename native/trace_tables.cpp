@@ -1,5 +1,7 @@
 #include "native/trace_tables.h"
 
+#include "native/result_pictures.h"
+
 #include <algorithm>
 #include <cstdio>
 
@@ -13,6 +15,15 @@ Cell number(double value) { return value; }
 
 double milliseconds(const TraceCost& cost) { return 1e3 * quartilesOf(cost.seconds).median; }
 
+void appendQuartiles(const Quartiles& all, std::vector<Cell>& row) {
+    row.insert(row.end(), {all.median, all.low, all.high});
+}
+
+void appendFrame(const TraceCost& cost, std::vector<Cell>& row) {
+    const Quartiles frame = quartilesOf(cost.seconds);
+    appendQuartiles({1e3 * frame.low, 1e3 * frame.median, 1e3 * frame.high}, row);
+}
+
 const TraceCost* costIn(const std::vector<TraceCost>& costs, const TraceWay& way) {
     const auto found = std::find_if(costs.begin(), costs.end(), [&](const TraceCost& cost) { return cost.way == way; });
     return found == costs.end() ? nullptr : &*found;
@@ -24,10 +35,6 @@ const TraceCost* baseOf(const std::vector<TraceCost>& costs) {
     return block ? block : costIn(costs, {Accel::None, DataPath::Texture});
 }
 
-void appendQuartiles(const Quartiles& ratio, std::vector<Cell>& row) {
-    row.insert(row.end(), {ratio.median, ratio.low, ratio.high});
-}
-
 void appendWork(const std::optional<Work>& work, std::vector<Cell>& row) {
     const auto cell = [&](double Work::*part) { return work ? number((*work).*part) : Cell{}; };
     row.insert(row.end(), {cell(&Work::boxes), cell(&Work::objects), cell(&Work::shadowRays)});
@@ -35,15 +42,20 @@ void appendWork(const std::optional<Work>& work, std::vector<Cell>& row) {
 
 const std::vector<Column> kWorkColumns{
     {"boxes", "boxes", "a pixel",
-     "Boxes of hierarchies and cells of blocks asked: mean; the balls of a sieve do not count"},
-    {"objects", "objects", "a pixel", "Objects asked where a ray meets them: mean"},
-    {"shadow_rays", "shadow rays", "a pixel", "Mean"}};
+     "Boxes of hierarchies and cells of blocks asked: mean; the balls of a sieve do not count", Kind::Count,
+     Better::Lower},
+    {"objects", "objects", "a pixel", "Objects asked where a ray meets them: mean", Kind::Count, Better::Lower},
+    {"shadow_rays", "shadow rays", "a pixel", "Mean", Kind::Count, Better::Lower}};
 
 std::vector<Cell> viewRow(const ViewCosts& view, const TraceCost& cost) {
-    std::vector<Cell> row{view.view, nameOf(cost.way), dataOf(cost.way), milliseconds(cost)};
+    std::vector<Cell> row{view.view, nameOf(cost.way), dataOf(cost.way)};
+    appendFrame(cost, row);
     appendQuartiles(ratioOf(cost.seconds, baseOf(view.ways)->seconds), row);
     const TraceCost* source = costIn(view.ways, {Accel::None, DataPath::Block, true});
-    row.push_back(source ? number(ratioOf(source->seconds, cost.seconds).median) : Cell{});
+    if (source)
+        appendQuartiles(ratioOf(source->seconds, cost.seconds), row);
+    else
+        row.resize(row.size() + 3);
     appendWork(cost.work, row);
     row.insert(row.end(), {double(cost.program.sourceBytes), cost.program.compileMs});
     return row;
@@ -90,17 +102,23 @@ std::string titleOf(const GrowthCosts& spheres) {
 } // namespace
 
 Table viewTable(const std::vector<ViewCosts>& views) {
-    Table table{"scenes", "Scenes", {}, {}};
+    Table table{"scenes", "Scenes", {}, {}, 3};
     table.columns = {{"view", "view", "", "The scene from its own camera, or from where the name says"},
                      {"way", "way", "", "source: the source document's way of tracing; else as --accel says"},
                      {"data", "data", "", "Where the scene's numbers are, as --data says"},
-                     {"frame", "frame", "ms", "Median of the rounds"},
-                     {"ratio", "ratio", "none, block = 1", "Of a frame's time to the plain loop's, in the same round"},
+                     {"frame", "frame", "ms", "Median of the rounds", Kind::Time, Better::Lower},
+                     {"frame_low", "frame, lower quartile", "ms", "Of the rounds"},
+                     {"frame_high", "frame, upper quartile", "ms", "Of the rounds"},
+                     {"ratio", "ratio", "none, block = 1", "Of a frame's time to the plain loop's, in the same round",
+                      Kind::Ratio, Better::Lower},
                      {"ratio_low", "ratio, lower quartile", "", "Of the rounds"},
                      {"ratio_high", "ratio, upper quartile", "", "Of the rounds"},
-                     {"speed_up", "speed-up", "source = 1", "Of the source's time to this, in the same round: median"}};
+                     {"speed_up", "speed-up", "source = 1", "Of the source's time to this, in the same round: median",
+                      Kind::Ratio, Better::Higher},
+                     {"speed_up_low", "speed-up, lower quartile", "", "Of the rounds"},
+                     {"speed_up_high", "speed-up, upper quartile", "", "Of the rounds"}};
     table.columns.insert(table.columns.end(), kWorkColumns.begin(), kWorkColumns.end());
-    table.columns.push_back({"source", "source", "bytes", "Of the specialised shader"});
+    table.columns.push_back({"source", "source", "bytes", "Of the specialised shader", Kind::Count, Better::Lower});
     table.columns.push_back(
         {"compile", "compile", "ms", "Compiled, linked and first drawn, nothing cached: wall clock"});
     for (const ViewCosts& view : views)
@@ -109,12 +127,15 @@ Table viewTable(const std::vector<ViewCosts>& views) {
 }
 
 Table growthTable(const std::vector<GrowthCosts>& growth) {
-    Table table{"growth", "Growth", {}, {}};
+    Table table{"growth", "Growth", {}, {}, 3};
     table.columns = {{"arrangement", "arrangement", "", "Of the spheres: random, in eight heaps, or on a lattice"},
                      {"spheres", "spheres", "", "In the scene"},
                      {"way", "way", "", "As --accel says; none only up to " + std::to_string(kMostLooped)},
-                     {"frame", "frame", "ms", "Median of the rounds"},
-                     {"growth", "frame time", "fewest = 1", "To that of the fewest spheres: median of the rounds"},
+                     {"frame", "frame", "ms", "Median of the rounds", Kind::Time, Better::Lower},
+                     {"frame_low", "frame, lower quartile", "ms", "Of the rounds"},
+                     {"frame_high", "frame, upper quartile", "ms", "Of the rounds"},
+                     {"growth", "frame time", "fewest = 1", "To that of the fewest spheres: median of the rounds",
+                      Kind::Ratio, Better::Lower},
                      {"growth_low", "frame time, lower quartile", "", "Of the rounds"},
                      {"growth_high", "frame time, upper quartile", "", "Of the rounds"}};
     table.columns.insert(table.columns.end(), kWorkColumns.begin(), kWorkColumns.end());
@@ -126,7 +147,8 @@ Table growthTable(const std::vector<GrowthCosts>& growth) {
     for (const GrowthCosts& spheres : growth)
         for (const GrowthCosts::Way& way : spheres.ways) {
             std::vector<Cell> row{std::string(nameOf(spheres.arrangement)), double(spheres.spheres),
-                                  nameOf(way.cost.way), milliseconds(way.cost)};
+                                  nameOf(way.cost.way)};
+            appendFrame(way.cost, row);
             appendQuartiles(growthOf(growth, spheres, way.cost), row);
             appendWork(way.cost.work, row);
             row.insert(row.end(), {way.packMs, way.loadMs});
@@ -136,12 +158,13 @@ Table growthTable(const std::vector<GrowthCosts>& growth) {
 }
 
 Table choiceTable(const std::vector<ViewCosts>& views, const std::vector<GrowthCosts>& growth) {
-    Table table{"choice", "Choice: the cost model against the clock", {}, {}};
+    Table table{"choice", "Choice: the cost model against the clock", {}, {}, 2};
     table.columns = {{"picture", "picture", "", "A view, or spheres"},
                      {"data", "data", "", "Where the scene's numbers are"},
                      {"chose", "auto chose", "", "Of the kinds that are not asked one by one"},
                      {"best", "best", "", "The way with the least median: auto, where no other search is faster"},
-                     {"ratio", "auto", "best = 1", "Of a frame's time to the best one's, in the same round: median"},
+                     {"ratio", "auto", "best = 1", "Of a frame's time to the best one's, in the same round: median",
+                      Kind::Ratio, Better::Lower},
                      {"ratio_low", "auto, lower quartile", "", "Of the rounds"},
                      {"ratio_high", "auto, upper quartile", "", "Of the rounds"},
                      {"right", "right", "", "Within 15 % of the best"}};
@@ -153,6 +176,32 @@ Table choiceTable(const std::vector<ViewCosts>& views, const std::vector<GrowthC
         addChoice(titleOf(spheres), costs, DataPath::Texture, table);
     }
     return table;
+}
+
+void addTracePictures(const std::vector<ViewCosts>& views, const std::vector<GrowthCosts>& growth, Results& results) {
+    const auto titled = [](const TraceCost& cost) { return nameOf(cost.way) + ", " + dataOf(cost.way); };
+    for (const ViewCosts& view : views) {
+        const TraceCost& base = *baseOf(view.ways);
+        for (const TraceCost& cost : view.ways)
+            addPicture({view.view + ", " + titled(cost),
+                        "scenes",
+                        {view.view, nameOf(cost.way), dataOf(cost.way)},
+                        0,
+                        {},
+                        titled(base)},
+                       cost.image, base.image, results);
+    }
+    for (const GrowthCosts& spheres : growth)
+        for (const GrowthCosts::Way& way : spheres.ways) {
+            const TraceCost &cost = way.cost, &base = spheres.ways.front().cost;
+            addPicture({titleOf(spheres) + ", " + nameOf(cost.way),
+                        "growth",
+                        {std::string(nameOf(spheres.arrangement)), double(spheres.spheres), nameOf(cost.way)},
+                        0,
+                        {},
+                        nameOf(base.way)},
+                       cost.image, base.image, results);
+        }
 }
 
 std::vector<Chart> traceCharts() {

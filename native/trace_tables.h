@@ -21,4 +21,7 @@ std::vector<Chart> traceCharts();
 /// How much longer a frame of the most spheres takes than one of the fewest, a line for each arrangement.
 std::string growthSummary(const std::vector<GrowthCosts>&);
 
+/// What each way draws, beside the first way of the same picture: a plain loop, where one is drawn.
+void addTracePictures(const std::vector<ViewCosts>&, const std::vector<GrowthCosts>&, Results&);
+
 } // namespace gnomon

@@ -59,6 +59,16 @@ mirror(${SOURCE}/assets/scenes ${SITE}/assets/scenes *.json)
 file(REMOVE ${SITE}/assets/scenes/scene.schema.json)
 index_scenes(${SITE}/assets/scenes)
 
+# The report as a page of its own: nothing of it is loaded before somebody opens it.
+mirror(${SOURCE}/web/report ${SITE}/report *.js *.css)
+configure_file(${SOURCE}/web/report/viewer.html ${SITE}/report.html COPYONLY)
+find_file(CHART_JS chart.min.js PATHS /usr/share/javascript/chart.js NO_DEFAULT_PATH)
+if(CHART_JS)
+  configure_file(${CHART_JS} ${SITE}/vendor/chart.js COPYONLY)
+else()
+  message(WARNING "Chart.js is not installed (libjs-chart.js): the report will have no charts")
+endif()
+
 set(panel ${SOURCE}/node_modules/lil-gui/dist/lil-gui.esm.min.js)
 if(EXISTS ${panel})
   file(MAKE_DIRECTORY ${SITE}/vendor)

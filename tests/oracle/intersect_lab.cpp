@@ -27,13 +27,12 @@ Tally leaksOf(const std::vector<BatchHit>& answers) {
 /// Repeats that make a draw long enough for the clock, about a tenth of a second for the slower of the two.
 int repeatsFor(double once) { return std::clamp(int(0.03 / std::max(once, 1e-5)), 1, 64); }
 
-Ratio costOf(RayBatch& ours, RayBatch& naive, std::span<const BatchRay> rays, double (*clock)()) {
+Quartiles costOf(RayBatch& ours, RayBatch& naive, std::span<const BatchRay> rays, double (*clock)()) {
     const int repeats = repeatsFor(ours.seconds(rays, 1, clock));
     std::vector<double> ratios;
     for (int i = 0; i < kPairs; ++i)
         ratios.push_back(ours.seconds(rays, repeats, clock) / naive.seconds(rays, repeats, clock));
-    std::sort(ratios.begin(), ratios.end());
-    return {ratios[kPairs / 2], ratios.front(), ratios.back()};
+    return quartilesOf(std::move(ratios));
 }
 
 } // namespace
@@ -123,17 +122,19 @@ struct Summary {
 } // namespace
 
 Table intersectSummary(const std::vector<IntersectRow>& rows) {
-    Table table{"summary", "Every body, over all rays and distances", {}, {}};
+    Table table{"summary", "Every body, over all rays and distances", {}, {}, 1};
     table.columns = {
         {"body", "body", "", "Shape and proportion"},
-        {"decided", "decided rays", "", "Far enough from tangency that float32 has to be right"},
-        {"wrong", "wrong", "", "Of the decided: missed, false hit, or elsewhere"},
-        {"margin", "farthest", "2^-24", "Of all decisions unlike the exact one: how far from tangency, in sizes"},
-        {"ray", "o + t d", "ulp", "Worst distance from the surface, in ulp at that distance"},
-        {"point", "point", "2^-23", "Worst distance of the surface point from the surface, in roundings"},
-        {"normal", "normal", "2^-23", "Worst error, as the turn of so many roundings of the point"},
-        {"naive_uniform", "textbook wrong, uniform", "%", "Missed and false hits of the textbook's formula"},
-        {"naive_grazing", "textbook wrong, grazing", "%", "The same, of grazing rays"},
+        {"decided", "decided rays", "", "Far enough from tangency that float32 has to be right", Kind::Count},
+        {"wrong", "wrong", "", "Of the decided: missed, false hit, or elsewhere", Kind::Count, Better::Lower},
+        {"margin", "farthest", "2^-24", "Of all decisions unlike the exact one: how far from tangency, in sizes",
+         Kind::Error},
+        {"ray", "o + t d", "ulp", "Worst distance from the surface, in ulp at that distance", Kind::Error},
+        {"point", "point", "2^-23", "Worst distance of the surface point from the surface, in roundings", Kind::Error},
+        {"normal", "normal", "2^-23", "Worst error, as the turn of so many roundings of the point", Kind::Error},
+        {"naive_uniform", "textbook wrong, uniform", "%", "Missed and false hits of the textbook's formula",
+         Kind::Error},
+        {"naive_grazing", "textbook wrong, grazing", "%", "The same, of grazing rays", Kind::Error},
         {"cost", "cost", "textbook = 1", "Time of uniform rays: median over the distances"}};
     std::vector<std::string> names;
     for (const IntersectRow& row : rows)
@@ -151,23 +152,27 @@ Table intersectSummary(const std::vector<IntersectRow>& rows) {
 }
 
 Table intersectTable(const std::vector<IntersectRow>& rows) {
-    Table table{"intersect", "Intersectors against the oracle", {}, {}};
+    Table table{"intersect", "Intersectors against the oracle", {}, {}, 4};
     table.columns = {
         {"shape", "shape", "", "As in scene files"},
         {"proportion", "proportion", "", "thin: 1/128 of the size"},
         {"class", "rays", "", "How the rays are chosen"},
         {"distance", "distance", "sizes", "From the eye to the body; inside: from the world's origin to the body"},
-        {"rays", "rays", "", "Traced"},
-        {"decided", "decided", "", "Far enough from tangency that float32 has to be right; the others are in the band"},
-        {"missed", "missed", "", "Of the decided"},
-        {"invented", "false hits", "", "Of the decided"},
-        {"elsewhere", "elsewhere", "", "Of the decided: a hit, but not where the ray meets the body first"},
-        {"margin", "farthest", "2^-24", "Of all decisions unlike the exact one: how far from tangency, in sizes"},
+        {"rays", "rays", "", "Traced", Kind::Count},
+        {"decided", "decided", "", "Far enough from tangency that float32 has to be right; the others are in the band",
+         Kind::Count},
+        {"missed", "missed", "", "Of the decided", Kind::Count, Better::Lower},
+        {"invented", "false hits", "", "Of the decided", Kind::Count, Better::Lower},
+        {"elsewhere", "elsewhere", "", "Of the decided: a hit, but not where the ray meets the body first", Kind::Count,
+         Better::Lower},
+        {"margin", "farthest", "2^-24", "Of all decisions unlike the exact one: how far from tangency, in sizes",
+         Kind::Error},
     };
     const auto spread = [&](const char* key, const char* title, const char* unit, const char* help) {
         for (const auto& [end, word] :
              {std::pair("median", "median"), std::pair("most", "99.9 %"), std::pair("worst", "max")})
-            table.columns.push_back({std::string(key) + "_" + end, std::string(title) + ", " + word, unit, help});
+            table.columns.push_back(
+                {std::string(key) + "_" + end, std::string(title) + ", " + word, unit, help, Kind::Error});
     };
     spread("t", "t", "ulp", "|t - exact|, in ulp at that distance");
     spread("ray", "o + t d", "ulp", "Distance of o + t d from the surface, in ulp at that distance");
@@ -176,14 +181,15 @@ Table intersectTable(const std::vector<IntersectRow>& rows) {
     spread("normal", "normal", "2^-23", "Error of the normal, as the turn of so many roundings of the point");
     table.columns.insert(
         table.columns.end(),
-        {{"share", "wrong decisions", "%", "Missed and false hits, of the decided"},
-         {"naive_share", "textbook: wrong decisions", "%", "As wrong decisions"},
-         {"naive_elsewhere", "textbook: elsewhere", "", "As elsewhere: farther off than 4 ulp, or another sheet"},
-         {"naive_ray_most", "textbook: o + t d, 99.9 %", "ulp", "As o + t d"},
-         {"naive_point_most", "textbook: point, 99.9 %", "2^-23", "As point"},
-         {"cost", "cost", "textbook = 1", "Time of ours to the textbook's, interleaved: median"},
-         {"cost_least", "cost, least", "textbook = 1", "Of the pairs"},
-         {"cost_most", "cost, most", "textbook = 1", "Of the pairs"}});
+        {{"share", "wrong decisions", "%", "Missed and false hits, of the decided", Kind::Error},
+         {"naive_share", "textbook: wrong decisions", "%", "As wrong decisions", Kind::Error},
+         {"naive_elsewhere", "textbook: elsewhere", "", "As elsewhere: farther off than 4 ulp, or another sheet",
+          Kind::Count, Better::Lower},
+         {"naive_ray_most", "textbook: o + t d, 99.9 %", "ulp", "As o + t d", Kind::Error},
+         {"naive_point_most", "textbook: point, 99.9 %", "2^-23", "As point", Kind::Error},
+         {"cost", "cost", "textbook = 1", "Time of ours to the textbook's, interleaved: median", Kind::Ratio},
+         {"cost_low", "cost, lower quartile", "textbook = 1", "Of the pairs"},
+         {"cost_high", "cost, upper quartile", "textbook = 1", "Of the pairs"}});
     for (const IntersectRow& row : rows) {
         const Tally& ours = row.ours;
         const auto share = [&](const Tally& tally) -> Cell {
@@ -203,7 +209,7 @@ Table intersectTable(const std::vector<IntersectRow>& rows) {
         for (const Spread* values : {&ours.t, &ours.ray, &ours.point, &ours.normal})
             cells.insert(cells.end(), {values->median, values->most, values->worst});
         cells.insert(cells.end(), {share(ours), share(row.naive), double(row.naive.elsewhere), row.naive.ray.most,
-                                   row.naive.point.most, row.cost.median, row.cost.least, row.cost.most});
+                                   row.naive.point.most, row.cost.median, row.cost.low, row.cost.high});
         table.rows.push_back(std::move(cells));
     }
     return table;

@@ -4,6 +4,7 @@
 
 #include "tests/oracle/judge.h"
 #include "tests/oracle/subjects.h"
+#include "tracer/lab/quartiles.h"
 #include "tracer/lab/results.h"
 #include "tracer/shader/library.h"
 
@@ -24,15 +25,10 @@ std::string_view raysOf(const IntersectCell&);
 /// All that fit of the given shapes (empty: all) at the distances. Cells of one placed body follow each other.
 std::vector<IntersectCell> intersectCells(const std::vector<std::string>& shapes, const std::vector<double>& distances);
 
-/// How much longer one takes than another in one run, over interleaved pairs.
-struct Ratio {
-    double median = 0, least = 0, most = 0;
-};
-
 struct IntersectRow {
     IntersectCell cell;
     Tally ours, naive;
-    Ratio cost; ///< ours to naive
+    Quartiles cost; ///< ours to naive, over interleaved pairs
 };
 
 class IntersectLab {

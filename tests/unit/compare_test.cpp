@@ -61,13 +61,13 @@ Table runTable(const std::vector<std::vector<Cell>>& rows) {
     Table table{"bench", "Bench", {}, rows, 2};
     table.columns = {{"scene", "scene", "", ""},
                      {"depth", "depth", "", ""},
-                     {"frame", "frame", "ms", ""},
+                     {"frame", "frame", "ms", "", Kind::Time, Better::Lower},
                      {"frame_low", "", "ms", ""},
                      {"frame_high", "", "ms", ""},
                      {"frame_yards", "frame", "yardsticks", ""},
                      {"frame_yards_low", "", "yardsticks", ""},
                      {"frame_yards_high", "", "yardsticks", ""},
-                     {"cpu", "cpu", "ms", ""},
+                     {"cpu", "cpu", "ms", "", Kind::Time, Better::Lower},
                      {"cpu_low", "", "ms", ""},
                      {"cpu_high", "", "ms", ""},
                      {"passes", "passes", "", ""}};
@@ -85,11 +85,20 @@ Results compared(const Results& before, const Results& after) {
     return all;
 }
 
+/// The only table of that name.
+const Table& named(const Results& results, const std::string& name) {
+    const auto found = std::find_if(results.tables.begin(), results.tables.end(),
+                                    [&](const Table& table) { return table.name == name; });
+    EXPECT_NE(found, results.tables.end()) << "no table " << name;
+    static const Table none;
+    return found == results.tables.end() ? none : *found;
+}
+
 TEST(Compare, MatchesRowsByTheirKeysAndTellsRatiosInYardsticks) {
     const Results all = compared(run({row("lite", 1, 10, 1), row("lite", 4, 20, 2), row("pro", 1, 40, 4)}),
                                  run({row("lite", 4, 10, 2.06), row("lite", 1, 10, 2), row("new", 1, 10, 1)}));
-    ASSERT_EQ(all.tables.size(), 1U) << "CPU times have no yardsticks beside them";
-    const Table& table = all.tables.front();
+    ASSERT_EQ(all.tables.size(), 3U) << "summary, frame, missing rows; CPU times have no yardsticks beside them";
+    const Table& table = named(all, "bench_frame");
     ASSERT_EQ(table.rows.size(), 2U);
     for (const auto& cells : table.rows) EXPECT_EQ(cells.size(), table.columns.size());
     EXPECT_EQ(table.rows[0][1], Cell(4.0));
@@ -99,19 +108,78 @@ TEST(Compare, MatchesRowsByTheirKeysAndTellsRatiosInYardsticks) {
     EXPECT_EQ(table.rows[0].back(), Cell("the same within noise"));
     EXPECT_EQ(table.rows[1][8], Cell(2.0));
     EXPECT_EQ(table.rows[1].back(), Cell("slower"));
-    EXPECT_EQ(comparisonSummary(all), "Bench: frame: 0 faster, 1 slower, 1 the same within noise\n");
-    const Environment told{{"gl", "4.5"}, {"rows only in old", "1 of bench"}, {"rows only in new", "1 of bench"}};
-    EXPECT_EQ(all.environment, told);
+    const std::vector<std::vector<Cell>> summary{{"Bench", "frame", "time", 2.0, 0.0, 1.0, 1.0}};
+    EXPECT_EQ(all.tables.front().rows, summary);
+    EXPECT_EQ(all.environment, (Environment{{"gl", "4.5"}}));
+}
+
+TEST(Compare, NamesTheRowsThatOnlyOneRunHas) {
+    const Results all =
+        compared(run({row("lite", 1, 1, 1), row("pro", 1, 1, 1)}), run({row("lite", 1, 1, 1), row("new", 4, 1, 1)}));
+    const std::vector<std::vector<Cell>> missing{{"Bench", "pro, 1", "old"}, {"Bench", "new, 4", "new"}};
+    EXPECT_EQ(named(all, "missing").rows, missing);
 }
 
 TEST(Compare, CallsFasterOnlyWhatIsBeyondNoiseAndTolerance) {
     const auto verdict = [](double yards) {
-        return std::get<std::string>(
-            compared(run({row("a", 1, 1, 1)}), run({row("a", 1, 1, yards)})).tables[0].rows[0].back());
+        const Results all = compared(run({row("a", 1, 1, 1)}), run({row("a", 1, 1, yards)}));
+        return std::get<std::string>(named(all, "bench_frame").rows.at(0).back());
     };
     EXPECT_EQ(verdict(0.96), "the same within noise") << "beyond the notches' 3.2 %, within the tolerance of 5 %";
     EXPECT_EQ(verdict(0.94), "faster");
     EXPECT_EQ(verdict(1.06), "slower");
+}
+
+/// One row of one number, with quartiles 2 % about it where it is a time.
+Results numberRun(const Column& column, const Cell& value) {
+    Table table{"t", "T", {{"row", "row", "", ""}, column}, {{"a", value}}, 1};
+    if (const double* number = std::get_if<double>(&value); column.kind == Kind::Ratio)
+        for (const auto& [end, factor] : {std::pair("_low", 0.99), std::pair("_high", 1.01)}) {
+            table.columns.push_back({column.key + end, "", "", ""});
+            table.rows[0].emplace_back(factor * *number);
+        }
+    return {"T", "c", {}, {table}, {}};
+}
+/// What became of it: the summary's kind and verdict, and how the change is told, if it is.
+std::string became(const Column& column, const Cell& was, const Cell& is) {
+    const Results all = compared(numberRun(column, was), numberRun(column, is));
+    const auto& summary = all.tables.front().rows.at(0);
+    std::string text = shown(summary[2]) + ": ";
+    for (int i = 4; i < 7; ++i)
+        if (summary[std::size_t(i)] == Cell(1.0)) text += shown(Cell(all.tables.front().columns[std::size_t(i)].title));
+    for (const Table& table : all.tables)
+        if (table.name != "changes") text += ", " + shown(table.rows.at(0).back());
+    return text;
+}
+
+TEST(Compare, TellsRatiosThatAreBetterHigherTheOtherWayRound) {
+    const Column slow{"r", "r", "none = 1", "", Kind::Ratio, Better::Lower},
+        speedUp{"r", "r", "source = 1", "", Kind::Ratio, Better::Higher};
+    EXPECT_EQ(became(slow, 2.0, 3.0), "ratio: worse, slower");
+    EXPECT_EQ(became(speedUp, 2.0, 3.0), "ratio: better, faster");
+    EXPECT_EQ(became(speedUp, 3.0, 2.0), "ratio: worse, slower");
+    EXPECT_EQ(became(slow, 2.0, 2.05), "ratio: the same, the same within noise");
+}
+
+TEST(Compare, TellsErrorsBeyondTheirToleranceBySize) {
+    const Column error{"e", "e", "", "", Kind::Error};
+    EXPECT_EQ(became(error, 0.1, 0.1009), "error: the same");
+    EXPECT_EQ(became(error, 0.1, 0.1012), "error: worse, worse");
+    EXPECT_EQ(became(error, 0.1, 0.09), "error: better, better");
+    EXPECT_EQ(became(error, -0.1, 0.05), "error: better, better") << "nearer to nothing";
+    EXPECT_EQ(became(error, 0.0, 1e-30), "error: worse, worse") << "what was right is no more";
+    EXPECT_EQ(became(error, "inf", 1e30), "error: better, better");
+    EXPECT_EQ(became(error, "nan", "inf"), "error: the same") << "as bad";
+}
+
+TEST(Compare, TellsCountsExactly) {
+    const Column wrong{"c", "c", "", "", Kind::Count, Better::Lower},
+        hits{"c", "c", "", "", Kind::Count, Better::Higher}, rays{"c", "c", "", "", Kind::Count};
+    EXPECT_EQ(became(wrong, 1e6, 1e6), "count: the same");
+    EXPECT_EQ(became(wrong, 1e6, 1e6 + 1), "count: worse, worse");
+    EXPECT_EQ(became(hits, 1e6, 1e6 + 1), "count: better, better");
+    EXPECT_EQ(became(rays, 1e6, 1e6 + 1), "count: worse, more");
+    EXPECT_EQ(became(rays, 1e6, 1e6 - 1), "count: better, less");
 }
 
 TEST(Compare, SaysWhatDiffersBetweenTheMachines) {
@@ -125,18 +193,24 @@ TEST(Compare, RefusesWhatCannotBeMatched) {
     compareRuns(run({row("a", 1, 1, 1), row("a", 1, 2, 2)}), run({row("a", 1, 1, 1)}), 0, twice);
     EXPECT_NE(toString(twice).find("several rows are \"a, 1\""), std::string::npos) << toString(twice);
     compareRuns(run({row("a", 1, 1, 1)}), run({row("b", 1, 1, 1)}), 0, nothing);
-    EXPECT_NE(toString(nothing).find("no row of times in common"), std::string::npos) << toString(nothing);
+    EXPECT_NE(toString(nothing).find("no measured row in common"), std::string::npos) << toString(nothing);
 }
 
 TEST(ReadResults, TakesBackWhatWasWritten) {
     Results results = run({row("lite", 1, 0.1, 1e300), row("a \"b\" → c", -4, 20, 2)});
     results.tables[0].rows[1][2] = Cell{};
-    results.charts = {{"C", "bench", "depth", {{"frame", "x"}}, "", "scene", {{"scene", "lite"}}, true, false}};
+    results.charts = {
+        {"C", "bench", "depth", {{"frame", "x"}}, "", "scene", {{"scene", "lite"}}, true, false, "passes"}};
+    results.images = {"data:image/png;base64,AAAA", "data:image/png;base64,BBBB"};
+    results.pictures = {{"P", "bench", {"lite", 1.0}, 1, 0, "R"}, {"Q", "bench", {"lite", 4.0}, 0, {}, ""}};
     Problems problems;
     const auto read = readResults(toJson(results), "f", problems);
     ASSERT_TRUE(read) << toString(problems);
     EXPECT_EQ(toJson(*read), toJson(results));
     EXPECT_EQ(read->tables[0].rows, results.tables[0].rows);
+    EXPECT_EQ(read->tables[0].columns[2].kind, Kind::Time);
+    EXPECT_EQ(read->charts[0].front, "passes");
+    EXPECT_EQ(read->pictures[0].reference, std::optional<std::size_t>(0));
 }
 
 /// The one problem of a text.
@@ -149,6 +223,8 @@ std::string fault(const std::string& text) {
 std::string broken(const std::string& from, const std::string& to) {
     Results results = run({row("lite", 1, 1, 1)});
     results.charts = {{"C", "bench", "depth", {{"frame", ""}}, "", "", {}, false, false}};
+    results.images = {"data:image/png;base64,AAAA"};
+    results.pictures = {{"P", "bench", {"lite", 1.0}, 0, 0, "R"}};
     std::string text = toJson(results);
     const auto at = text.find(from);
     EXPECT_NE(at, std::string::npos) << from;
@@ -165,13 +241,24 @@ TEST(ReadResults, SaysLineAndPlaceOfTheFirstThingWrong) {
               std::string::npos);
     EXPECT_NE(broken("\"keys\": 2", "\"keys\": 99").find("tables[0].keys: 99 is no number of columns"),
               std::string::npos);
-    EXPECT_NE(broken("\"lite\",", "").find("tables[0].rows[0]: the row has 11 cells, the table 12 columns"),
-              std::string::npos);
+    EXPECT_NE(broken("\"lite\",", "").find("tables[0].rows[0]: the row has 11 cells instead of 12"), std::string::npos);
     EXPECT_NE(broken("\"lite\"", "[]").find("tables[0].rows[0][0]: a list is no number, text or null"),
               std::string::npos);
     EXPECT_NE(broken("\"x\": \"depth\"", "\"x\": \"width\"").find("charts[0].x: table \"bench\" has no column"),
               std::string::npos);
     EXPECT_NE(broken("\"command\"", "\"comand\"").find("command: is missing"), std::string::npos);
+    EXPECT_NE(broken("\"kind\": \"time\"", "\"kind\": \"tide\"").find("kind: \"tide\" is none of time, ratio, error"),
+              std::string::npos);
+}
+
+TEST(ReadResults, HoldsPicturesAgainstTablesAndImages) {
+    EXPECT_NE(broken("image/png", "text/html").find("images[0]: is no PNG"), std::string::npos);
+    EXPECT_NE(broken("\"row\": [", "\"row\": [7, ").find("pictures[0].row: the row has 3 cells instead of 2"),
+              std::string::npos);
+    EXPECT_NE(broken("\"image\": 0", "\"image\": 1").find("pictures[0].image: 1 is no image; there are 1"),
+              std::string::npos);
+    EXPECT_NE(broken("\"title\": \"R\"", "\"title\": 1").find("pictures[0].reference.title"), std::string::npos);
+    EXPECT_NE(broken("\"images\"", "\"imags\"").find("images: is missing"), std::string::npos);
 }
 
 } // namespace

@@ -3,13 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace gnomon {
 namespace {
 
 ShadowCost cost(ShadowWay way, double seconds, double rmse, double evaluations = 10) {
-    ShadowCost one{way, {seconds, seconds, seconds}, evaluations, {}, {}, {}, false};
+    ShadowCost one{way, {seconds, seconds, seconds}, evaluations, {}, {}, {}, false, {}};
     one.visibility.rmse = rmse;
     return one;
 }
@@ -39,7 +40,7 @@ TEST(ShadowWays, TakeWhatTheirModelDependsOn) {
 TEST(ShadowTables, HoldEveryWayAndItsRivals) {
     const ShadowWay linear{ShadowModel::ConeLinear};
     ShadowCosts costs{
-        "simple", 0.5, {1, 1, 1}, {cost(linear, 4, 0.04, 40), cost({ShadowModel::Silhouette}, 2, 0.01, 0)}};
+        "simple", 0.5, {1, 1, 1}, {cost(linear, 4, 0.04, 40), cost({ShadowModel::Silhouette}, 2, 0.01, 0)}, {}};
     costs.ways.push_back(cost({ShadowModel::Montecarlo, Direction::FromSurface, 1.0 / 30, 1}, 1.5, 0.2, 0));
     costs.ways.push_back(cost({ShadowModel::Montecarlo, Direction::FromSurface, 1.0 / 30, 16}, 3.9, 0.05, 0));
     costs.ways.push_back(cost({ShadowModel::Montecarlo, Direction::FromSurface, 1.0 / 30, 64}, 12, 0.02, 0));
@@ -54,6 +55,33 @@ TEST(ShadowTables, HoldEveryWayAndItsRivals) {
     EXPECT_EQ(rivals.rows[0][3], Cell(0.5));
     EXPECT_EQ(rivals.rows[0][4], Cell(0.25));
     EXPECT_EQ(rivals.rows[1][2], Cell(std::string("montecarlo 16"))) << "the most samples in the same time";
+}
+
+TEST(ShadowTables, DrawTheFrontOfEachRadiusApart) {
+    const std::vector<ShadowCosts> one{{"simple", 0.5, {1}, {}, {}}, {"complex", 1, {1}, {}, {}}};
+    ASSERT_EQ(shadowCharts(one).size(), 2U) << "a light for each scene: one row of charts";
+    EXPECT_EQ(shadowCharts(one).front().front, "front");
+    const std::vector<ShadowCosts> two{{"simple", 0.5, {1}, {}, {}}, {"simple", 1, {1}, {}, {}}};
+    ASSERT_EQ(shadowCharts(two).size(), 3U);
+    EXPECT_EQ(shadowCharts(two).front().where.front().second, "0.5");
+}
+
+TEST(ShadowTables, HoldEveryPictureAgainstTheReference) {
+    const auto image = [](std::uint8_t value) { return Image{1, 1, {value, value, value, 255}}; };
+    ShadowCosts costs{
+        "simple", 0.5, {1}, {cost({ShadowModel::Quilez}, 1, 1), cost({ShadowModel::Hard}, 1, 1)}, image(9)};
+    costs.ways[0].image = image(9);
+    costs.ways[1].image = image(5);
+    Results results{"", "", {}, {shadowTable({costs})}, {}};
+    addShadowPictures({costs}, "exact", results);
+    ASSERT_EQ(results.pictures.size(), 2U);
+    EXPECT_EQ(results.images.size(), 2U) << "the same image only once";
+    EXPECT_EQ(results.pictures[0].image, *results.pictures[0].reference);
+    EXPECT_NE(results.pictures[1].image, *results.pictures[1].reference);
+    for (std::size_t i = 0; i < 2; ++i)
+        EXPECT_TRUE(std::equal(results.pictures[i].row.begin(), results.pictures[i].row.end(),
+                               results.tables[0].rows[i].begin()))
+            << "its row's keys";
 }
 
 } // namespace

@@ -10,7 +10,7 @@ const TraceWay kSource{Accel::None, DataPath::Block, true}, kNone{Accel::None, D
     kHierarchy{Accel::Hierarchy, DataPath::Block}, kAuto{Accel::Auto, DataPath::Block};
 
 TraceCost cost(TraceWay way, std::vector<double> seconds, const std::string& search) {
-    return {way, std::move(seconds), Work{1, 2, 3}, {}, search};
+    return {way, std::move(seconds), Work{1, 2, 3}, {}, search, {}};
 }
 
 /// The cell of a row in the column called `key`.
@@ -100,6 +100,20 @@ TEST(TraceTables, ChartWhatTheyHold) {
                                     [&](const Column& column) { return column.key == key; }))
                 << chart.title << ": " << key;
     }
+}
+
+TEST(TraceTables, HoldEveryPictureAgainstThePlainLoop) {
+    const auto image = [](std::uint8_t value) { return Image{1, 1, {value, value, value, 255}}; };
+    ViewCosts drawn = view(0.25);
+    for (TraceCost& way : drawn.ways) way.image = image(way.way.source ? 1 : 2);
+    Results results{"", "", {}, {viewTable({drawn})}, {}};
+    addTracePictures({drawn}, {}, results);
+    ASSERT_EQ(results.pictures.size(), 4U);
+    EXPECT_EQ(results.images.size(), 2U) << "all but the source's draw the same";
+    EXPECT_EQ(results.pictures[0].referenceTitle, "none, block");
+    EXPECT_NE(results.pictures[0].image, *results.pictures[0].reference);
+    EXPECT_EQ(results.pictures[3].image, *results.pictures[3].reference);
+    EXPECT_EQ(results.pictures[3].row, (std::vector<Cell>{"a view", "auto", "block"}));
 }
 
 } // namespace

@@ -6,7 +6,7 @@ import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { browserNames, launch } from './browsers.mjs';
+import { browserNames, launch, until } from './browsers.mjs';
 
 const gnomon = process.env.GNOMON_BINARY ?? 'build/native/gnomon';
 
@@ -94,6 +94,9 @@ describe('a page of several runs', () => {
     rmSync(folder, { recursive: true, force: true });
   });
 
+  const headed = (text) => page.evaluateHandle((wanted) => [...document.querySelectorAll('#run-1 section')].find((section) => section.querySelector('h3').textContent === wanted), text);
+  const cellsOf = (section) => section.$$eval('tbody tr', (all) => all.map((row) => [...row.cells].map((cell) => cell.textContent)));
+
   test('lists the comparison and both runs, and each link leads to its own', async () => {
     const links = await page.$$eval('nav a', (all) => all.map((link) => document.querySelector(link.getAttribute('href')).querySelector('h2').textContent === link.textContent));
     assert.deepEqual(links, [true, true, true]);
@@ -103,13 +106,37 @@ describe('a page of several runs', () => {
   });
 
   test('tells every row a verdict, and shows quartiles in the cell of their median', async () => {
-    const rows = await page.$$eval('#run-1 tbody tr', (all) => all.map((row) => [...row.cells].map((cell) => cell.textContent)));
+    const rows = await cellsOf(await headed('Frames a second: frame'));
     assert.equal(rows.length, 8);
     for (const cells of rows) {
       assert.equal(cells.length, 9, 'scene, context, size, depth, shadows, old, new, ratio, verdict');
       assert.match(cells[7], /^\d+\.\d+ ?\d+\.\d+ … \d+\.\d+$/);
       assert.match(cells[8], /^(faster|slower|the same within noise)$/);
     }
+  });
+
+  test('says first how many rows became what, of every kind of number', async () => {
+    const rows = await cellsOf(await headed('What changed'));
+    assert.deepEqual(rows.map((cells) => cells.slice(0, 4)), [
+      ['Frames a second', 'frame', 'time', '8'], ['Frames a second', 'ratio', 'ratio', '8'], ['Frames a second', 'source', 'count', '8'],
+    ]);
+    for (const cells of rows) assert.equal(cells.slice(4).map(Number).reduce((a, b) => a + b), 8);
+    assert.deepEqual(rows[2].slice(4), ['0', '0', '8'], 'the same program has the same shaders');
+  });
+
+  test('puts all runs into one table, rows down and runs across, and their FPS and compile times into charts', async () => {
+    const heads = await page.$$eval('#together th button', (all) => all.map((button) => button.firstChild.textContent));
+    assert.deepEqual(heads, ['scene', 'shadows', 'depth', 'run 2: osmesa, 32x24', 'run 3: osmesa, 32x24']);
+    const together = await page.$$eval('#together tbody tr', (all) => all.map((row) => [...row.cells].map((cell) => cell.textContent)));
+    const own = async (run) => page.$$eval(`#run-${run} section:nth-of-type(2) tbody tr`, (all) => all.map((row) => Number(row.cells[5].textContent)));
+    for (const [column, run] of [[3, 2], [4, 3]]) {
+      const fps = together.map((cells) => Number(cells[column])), sorted = (list) => [...list].sort((a, b) => a - b);
+      assert.equal(fps.length, 8);
+      sorted(await own(run)).forEach((value, i) => assert.ok(Math.abs(sorted(fps)[i] / value - 1) < 0.01, `run ${run}: ${fps}`));
+    }
+    const charts = await page.$$eval('#together canvas', (all) => all.map((canvas) => Chart.getChart(canvas)).map(({ config, data }) => `${config.type} ${data.datasets.map(({ label, data }) => `${label} ${data.length}`)}`));
+    const lines = 'line run 2: osmesa, 32x24 2,run 3: osmesa, 32x24 2', bars = 'bar run 2: osmesa, 32x24 4,run 3: osmesa, 32x24 4';
+    assert.deepEqual(charts, [lines, lines, lines, lines, bars, bars]);
   });
 
   test('lines up the numbers of a column: all have as many decimals', async () => {
@@ -128,11 +155,11 @@ describe('a page of several runs', () => {
   });
 
   test('draws FPS over depth for each scene of each run, a line for each kind of shadows', async () => {
-    const charts = await page.$$eval('canvas', (all) => all.map((canvas) => Chart.getChart(canvas)).map((chart) => ({
+    const charts = await page.$$eval('article:not(#together) .canvas canvas', (all) => all.map((canvas) => Chart.getChart(canvas)).map((chart) => ({
       lines: chart.data.datasets.map(({ label, data }) => `${label} ${data.map(({ x }) => x)}`), x: chart.options.scales.x.title.text, y: chart.options.scales.y.title.text,
     })));
     assert.equal(charts.length, 4);
-    for (const chart of charts) assert.deepEqual(chart, { lines: ['off 1,4', 'hard 1,4'], x: 'depth', y: 'FPS, 1/s' });
+    for (const chart of charts) assert.deepEqual(chart, { lines: ['off 1,4', 'hard 1,4'], x: 'depth', y: ['FPS, 1/s', '(higher is better)'] });
   });
 
   test('says nothing on the console and loads nothing', () => {
@@ -140,3 +167,94 @@ describe('a page of several runs', () => {
     assert.deepEqual(requests.filter((url) => !url.startsWith('file:')), []);
   });
 });
+
+// What a laboratory of errors shows: fronts and pictures.
+for (const name of browserNames)
+  describe(`a page with pictures and fronts, ${name}`, () => {
+    let folder, browser, page;
+    const complaints = [], requests = [];
+
+    before(async () => {
+      folder = mkdtempSync(join(tmpdir(), 'gnomon-report-'));
+      const file = join(folder, 'shadows.html');
+      execFileSync(gnomon, ['lab', 'shadows', '--scenes=simple', '--models=hard,quilez,silhouette,montecarlo', '--samples=1,16', '--size=64x48', '--reference=64', '--repeats=2', `--html=${file}`]);
+      browser = await launch(name);
+      page = await browser.newPage();
+      await page.setViewport({ width: 1200, height: 900 });
+      page.on('console', (message) => complaints.push(message.text()));
+      page.on('pageerror', (error) => complaints.push(error.message));
+      page.on('request', (request) => requests.push(request.url()));
+      await page.goto(pathToFileURL(file).href);
+      await until('differences', () => page.$$eval('.gallery li figcaption', (all) => all.every((caption) => caption.textContent !== 'difference')));
+    });
+    after(async () => {
+      await browser?.close();
+      rmSync(folder, { recursive: true, force: true });
+    });
+
+    test('marks the points that no other one betters, from the fastest to the nearest, and says which way is better', async () => {
+      const { front, points, x, y } = await page.$eval('.canvas canvas', (canvas) => {
+        const { data, options } = Chart.getChart(canvas);
+        const of = ({ data }) => data.map(({ x, y }) => [x, y]);
+        const [first, ...others] = data.datasets;
+        return { front: first.label === 'front' && of(first), points: others.flatMap(of), x: options.scales.x.title.text, y: options.scales.y.title.text };
+      });
+      assert.equal(points.length, 5);
+      const best = points.filter(([x, y]) => !points.some(([otherX, otherY]) => otherX < x && otherY <= y)).sort((a, b) => a[0] - b[0]);
+      assert.ok(front.length >= 1 && front.length < points.length);
+      for (const point of front) assert.ok(best.some(([x, y]) => x === point[0] && y === point[1]), `${point} of ${best}`);
+      assert.match(x[1], /lower is better/);
+      assert.match(y[1], /lower is better/);
+    });
+
+    test('shows the picture of every row beside its reference, and a difference that can be seen', async () => {
+      assert.equal((await page.$$('.gallery li')).length, 6, 'the reference and five ways');
+      const seen = await page.$$eval('.gallery li canvas', (all) => all.map((canvas) => ({
+        most: Math.max(...canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.filter((value, i) => i % 4 < 3)),
+        words: canvas.nextSibling.textContent, size: `${canvas.width}x${canvas.height}`,
+      })));
+      assert.equal(seen.length, 5);
+      for (const { most, words, size } of seen) {
+        assert.equal(size, '64x48');
+        const [, factor, greatest] = words.match(/^difference × (\d+), at most (\d+) of 255$/);
+        assert.equal(most, Math.min(255, factor * greatest), words);
+        assert.ok(most > 100 || Number(factor) === 128, words);
+      }
+    });
+
+    test('a click on a row, or Enter on its mark, opens its picture; Escape closes it', async () => {
+      const titles = () => page.$$eval('dialog[open] figcaption', (all) => all.map((caption) => caption.textContent));
+      await page.click('#run-1 tbody tr:nth-child(2) td:nth-child(4)');
+      const opened = await titles();
+      assert.deepEqual(opened.slice(0, 2), ['simple, quilez', 'Monte Carlo, 64 samples']);
+      await page.keyboard.press('Escape');
+      await until('closed', async () => (await titles()).length === 0);
+      await page.focus('#run-1 tbody tr:nth-child(3) .look');
+      await page.keyboard.press('Enter');
+      assert.equal((await titles())[0], 'simple, silhouette');
+      await page.click('dialog .close');
+      await until('closed', async () => (await titles()).length === 0);
+    });
+
+    test('a pointer over a point shows its picture, a click opens it', async () => {
+      const place = await page.$eval('.canvas canvas', (canvas) => {
+        canvas.scrollIntoView({ block: 'center' });
+        const { x, y } = Chart.getChart(canvas).getDatasetMeta(2).data[0].getProps(['x', 'y'], true);
+        const box = canvas.getBoundingClientRect();
+        return { x: box.x + x, y: box.y + y };
+      });
+      await page.mouse.move(place.x - 3, place.y);
+      await page.mouse.move(place.x, place.y);
+      await until('a peek', () => page.$('.peek img'));
+      assert.match(await page.$eval('.peek figcaption', (caption) => caption.textContent), /^simple, /);
+      await page.mouse.click(place.x, place.y);
+      await until('the picture', () => page.$('dialog[open] img'));
+      assert.equal(await page.$('.peek'), null);
+      await page.keyboard.press('Escape');
+    });
+
+    test('says nothing on the console and loads nothing', () => {
+      assert.deepEqual(complaints, []);
+      assert.deepEqual(requests.filter((url) => !/^(file|data):/.test(url)), []);
+    });
+  });

@@ -3,12 +3,26 @@
 #include "tracer/lab/quartiles.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <limits>
 #include <map>
 
 namespace gnomon {
 namespace {
 
-constexpr std::string_view kFaster = "faster", kSlower = "slower", kSame = "the same within noise";
+/// What became of a number.
+enum class Verdict { Improved, Worsened, Same };
+using Words = std::array<std::string_view, 3>; // as Verdict
+constexpr Words kTimeWords{"faster", "slower", "the same within noise"}, kErrorWords{"better", "worse", "the same"},
+    kCountWords{"less", "more", "the same"}; // where neither is better
+
+std::string_view wordFor(const Column& column, Verdict verdict) {
+    const bool time = column.kind == Kind::Time || column.kind == Kind::Ratio;
+    const bool judged = column.kind == Kind::Error || column.better != Better::Untold;
+    return (time ? kTimeWords : judged ? kErrorWords : kCountWords)[std::size_t(verdict)];
+}
 
 std::optional<std::size_t> columnOf(const Table& table, const std::string& key) {
     for (std::size_t i = 0; i < table.columns.size(); ++i)
@@ -89,9 +103,9 @@ struct Timed {
     }
 };
 
-std::optional<Timed> timed(const Table& table, const std::string& key, std::string_view unit) {
+std::optional<Timed> timed(const Table& table, const std::string& key) {
     const auto at = columnOf(table, key);
-    if (!at || table.columns[*at].unit != unit) return std::nullopt;
+    if (!at) return std::nullopt;
     const auto quartiles = quartileColumns(table, *at);
     const auto passes = columnOf(table, "passes");
     return quartiles ? std::optional(Timed{*at, *quartiles, passes ? passes : columnOf(table, "rounds")})
@@ -109,29 +123,93 @@ struct TimedTwice {
     }
 };
 
-std::optional<TimedTwice> timedTwice(const Table& before, const Table& after, const std::string& key,
-                                     std::string_view unit) {
-    const auto old = timed(before, key, unit), now = timed(after, key, unit);
+std::optional<TimedTwice> timedTwice(const Table& before, const Table& after, const std::string& key) {
+    const auto old = timed(before, key), now = timed(after, key);
     return old && now ? std::optional(TimedTwice{*old, *now}) : std::nullopt;
 }
 
-/// What is compared of two tables: times to be shown, and those whose ratio counts.
+/// A column of both runs that says what it holds.
+struct Compared {
+    Column column;
+    std::size_t before, after;
+};
+
+/// The later run's word for a column's kind counts.
+std::vector<Compared> comparedIn(const Table& before, const Table& after, std::initializer_list<Kind> kinds) {
+    std::vector<Compared> all;
+    for (std::size_t i = 0; i < after.columns.size(); ++i) {
+        const Column& column = after.columns[i];
+        const auto old = columnOf(before, column.key);
+        if (old && std::find(kinds.begin(), kinds.end(), column.kind) != kinds.end()) all.push_back({column, *old, i});
+    }
+    return all;
+}
+
+/// Times to be shown, and those whose ratio counts.
 struct Measured {
     Column column;
     TimedTwice shown, counted;
 };
 
 std::vector<Measured> measuredIn(const Table& before, const Table& after) {
-    std::vector<Measured> byTime, byYards;
-    for (const Column& column : after.columns) {
-        const auto time = timedTwice(before, after, column.key, "ms");
+    std::vector<Measured> times, yards, ratios;
+    for (const auto& [column, old, now] : comparedIn(before, after, {Kind::Time, Kind::Ratio})) {
+        const auto time = timedTwice(before, after, column.key);
         if (!time) continue;
-        byTime.push_back({column, *time, *time});
-        if (const auto yards = timedTwice(before, after, column.key + "_yards", "yardsticks"))
-            byYards.push_back({column, *time, *yards});
+        (column.kind == Kind::Ratio ? ratios : times).push_back({column, *time, *time});
+        if (const auto steady = timedTwice(before, after, column.key + "_yards"))
+            yards.push_back({column, *time, *steady});
     }
-    return byYards.empty() ? byTime : byYards;
+    std::vector<Measured> all = yards.empty() ? times : yards;
+    all.insert(all.end(), ratios.begin(), ratios.end());
+    return all;
 }
+
+/// Two tables of one name, and what they have in common.
+struct Twins {
+    const Table &before, &after;
+    Keys keys;
+    std::vector<Pair> pairs;
+
+    std::vector<Column> keyColumns() const {
+        std::vector<Column> columns;
+        for (const std::size_t key : keys.after) columns.push_back(after.columns[key]);
+        return columns;
+    }
+    std::vector<Cell> keyCells(const Pair& pair) const {
+        std::vector<Cell> cells;
+        for (const std::size_t key : keys.after) cells.push_back((*pair.after)[key]);
+        return cells;
+    }
+};
+
+/// How many rows became what.
+struct Tally {
+    std::array<int, 3> rows{}; // as Verdict
+    int& operator[](Verdict verdict) { return rows[std::size_t(verdict)]; }
+};
+
+Table summaryTable() {
+    return {"changes",
+            "What changed",
+            {{"table", "table", "", ""},
+             {"number", "number", "", "Column of the table"},
+             {"kind", "kind", "", "time, ratio: noise; error: no noise; count: exact"},
+             {"rows", "rows", "", "Compared"},
+             {"improved", "better", "", "Faster, nearer to what is right, or less"},
+             {"worsened", "worse", "", "Slower, farther from what is right, or more"},
+             {"same", "the same", "", "Within noise and tolerance"}},
+            {},
+            2};
+}
+
+void addSummary(const Table& of, const Column& column, Tally tally, Table& summary) {
+    const auto& [improved, worsened, same] = tally.rows;
+    summary.rows.push_back({of.title, column.title, std::string(nameOf(column.kind)),
+                            double(improved + worsened + same), double(improved), double(worsened), double(same)});
+}
+
+// --- times -----------------------------------------------------------------------------------------------------------
 
 void appendColumns(const std::string& key, const std::string& unit, const std::string& help, const char* spread,
                    Table& table) {
@@ -140,10 +218,12 @@ void appendColumns(const std::string& key, const std::string& unit, const std::s
     table.columns.push_back({key + "_high", key + ", high", unit, spread});
 }
 
-Table emptyTable(const Table& after, const Column& measured, const Keys& keys) {
-    Table table{after.name + "_" + measured.key, after.title + ": " + measured.title, {}, {}};
-    for (const std::size_t key : keys.after) table.columns.push_back(after.columns[key]);
-    table.keys = int(keys.after.size());
+Table timeTable(const Twins& twins, const Column& measured) {
+    Table table{twins.after.name + "_" + measured.key,
+                twins.after.title + ": " + measured.title,
+                twins.keyColumns(),
+                {},
+                int(twins.keys.after.size())};
     appendColumns("old", measured.unit, "Median", "Quartile of the rounds", table);
     appendColumns("new", measured.unit, "Median", "Quartile of the rounds", table);
     appendColumns("ratio", "old = 1",
@@ -154,27 +234,101 @@ Table emptyTable(const Table& after, const Column& measured, const Keys& keys) {
     return table;
 }
 
-std::string verdictOf(const Ratio& ratio, double tolerance) {
-    if (ratio.high < 1 && ratio.value < 1 - tolerance) return std::string(kFaster);
-    return std::string(ratio.low > 1 && ratio.value > 1 + tolerance ? kSlower : kSame);
+Verdict verdictOf(const Ratio& ratio, Better better, double tolerance) {
+    const bool less = ratio.high < 1 && ratio.value<1 - tolerance, more = ratio.low> 1 && ratio.value > 1 + tolerance;
+    if (!less && !more) return Verdict::Same;
+    return less == (better != Better::Higher) ? Verdict::Improved : Verdict::Worsened;
 }
 
-Table compareColumn(const Table& after, const Measured& measured, const std::vector<Pair>& pairs, const Keys& keys,
-                    double tolerance) {
-    Table table = emptyTable(after, measured.column, keys);
-    for (const Pair& pair : pairs) {
+Table compareTimes(const Twins& twins, const Measured& measured, double tolerance, Tally& tally) {
+    Table table = timeTable(twins, measured.column);
+    for (const Pair& pair : twins.pairs) {
         const auto was = measured.shown.before.of(*pair.before), is = measured.shown.after.of(*pair.after);
         const auto ratio = measured.counted.ratio(pair);
         if (!was || !is || !ratio) continue;
-        std::vector<Cell> row;
-        for (const std::size_t key : keys.after) row.push_back((*pair.after)[key]);
+        const Verdict verdict = verdictOf(*ratio, measured.column.better, tolerance);
+        std::vector<Cell> row = twins.keyCells(pair);
         for (const double value :
              {was->median, was->low, was->high, is->median, is->low, is->high, ratio->value, ratio->low, ratio->high})
             row.emplace_back(value);
-        row.emplace_back(verdictOf(*ratio, tolerance));
+        row.emplace_back(std::string(wordFor(measured.column, verdict)));
         table.rows.push_back(std::move(row));
+        ++tally[verdict];
     }
     return table;
+}
+
+// --- errors and counts -----------------------------------------------------------------------------------------------
+
+/// A number that may be infinite, or none at all, which is as bad.
+std::optional<double> numberIn(const Cell& cell) {
+    if (const double* number = std::get_if<double>(&cell)) return *number;
+    if (const auto* word = std::get_if<std::string>(&cell);
+        word && (*word == "inf" || *word == "-inf" || *word == "nan"))
+        return std::numeric_limits<double>::infinity();
+    return std::nullopt;
+}
+
+Verdict verdictOf(double was, double is, const Column& column) {
+    if (was == is) return Verdict::Same;
+    if (column.kind == Kind::Count)
+        return (is < was) == (column.better != Better::Higher) ? Verdict::Improved : Verdict::Worsened;
+    const double before = std::abs(was), after = std::abs(is);
+    const double most = std::max(before, after);
+    if (std::isfinite(most) && std::abs(is - was) <= kErrorTolerance * most) return Verdict::Same;
+    return after < before ? Verdict::Improved : Verdict::Worsened;
+}
+
+Table changedTable(const Twins& twins) {
+    Table table{twins.after.name + "_changed",
+                twins.after.title + ": errors and counts that changed",
+                twins.keyColumns(),
+                {},
+                int(twins.keys.after.size()) + 1};
+    table.columns.insert(table.columns.end(), {{"number", "number", "", "Column of the table"},
+                                               {"unit", "unit", "", ""},
+                                               {"kind", "kind", "", ""},
+                                               {"old", "old", "", ""},
+                                               {"new", "new", "", ""},
+                                               {"ratio", "ratio", "old = 1", ""},
+                                               {"verdict", "new is", "", ""}});
+    return table;
+}
+
+Tally compareNumbers(const Twins& twins, const Compared& compared, Table& changed) {
+    Tally tally;
+    const Column& column = compared.column;
+    for (const Pair& pair : twins.pairs) {
+        const auto was = numberIn((*pair.before)[compared.before]), is = numberIn((*pair.after)[compared.after]);
+        if (!was || !is) continue;
+        const Verdict verdict = verdictOf(*was, *is, column);
+        ++tally[verdict];
+        if (verdict == Verdict::Same) continue;
+        std::vector<Cell> row = twins.keyCells(pair);
+        row.insert(row.end(), {column.title, column.unit, std::string(nameOf(column.kind)), *was, *is,
+                               *was == 0 ? Cell{} : Cell(*is / *was), std::string(wordFor(column, verdict))});
+        changed.rows.push_back(std::move(row));
+    }
+    return tally;
+}
+
+// --- what only one run has -------------------------------------------------------------------------------------------
+
+void addMissing(const char* run, const Table& table, const std::vector<std::size_t>& keys, const Table& other,
+                const std::vector<std::size_t>& otherKeys, Table& missing) {
+    Problems none; // both were told apart before
+    const auto there = rowsByName(other, otherKeys, none);
+    for (const auto& row : table.rows)
+        if (const std::string name = nameOf(row, keys); !there.count(name))
+            missing.rows.push_back({table.title, name, std::string(run)});
+}
+
+Table missingTable() {
+    return {"missing",
+            "Rows that only one run has",
+            {{"table", "table", "", ""}, {"row", "row", "", "Its keys"}, {"run", "only in", "", ""}},
+            {},
+            2};
 }
 
 Environment difference(const Environment& before, const Environment& after) {
@@ -188,51 +342,48 @@ Environment difference(const Environment& before, const Environment& after) {
     return all;
 }
 
-void tellMissing(const char* which, const Table& table, std::size_t matched, Environment& environment) {
-    if (const std::size_t missing = table.rows.size() - matched; missing > 0)
-        environment.emplace_back(std::string("rows only in ") + which, std::to_string(missing) + " of " + table.name);
+void compareTables(const Twins& twins, double tolerance, Table& summary, std::vector<Table>& tables) {
+    for (const Measured& measured : measuredIn(twins.before, twins.after)) {
+        Tally tally;
+        Table table = compareTimes(twins, measured, tolerance, tally);
+        if (table.rows.empty()) continue;
+        addSummary(twins.after, measured.column, tally, summary);
+        tables.push_back(std::move(table));
+    }
+    Table changed = changedTable(twins);
+    for (const Compared& compared : comparedIn(twins.before, twins.after, {Kind::Error, Kind::Count}))
+        if (const Tally tally = compareNumbers(twins, compared, changed); tally.rows != std::array<int, 3>{})
+            addSummary(twins.after, compared.column, tally, summary);
+    if (!changed.rows.empty()) tables.push_back(std::move(changed));
 }
 
 } // namespace
 
 Results compareRuns(const Results& before, const Results& after, double tolerance, Problems& problems) {
     Results all{after.title + ": new against old", {}, difference(before.environment, after.environment), {}, {}};
+    Table summary = summaryTable(), missing = missingTable();
     for (const Table& now : after.tables) {
         const auto was = std::find_if(before.tables.begin(), before.tables.end(),
                                       [&](const Table& table) { return table.name == now.name; });
         if (was == before.tables.end()) continue;
         const Keys keys = commonKeys(*was, now);
         if (keys.after.empty()) continue;
-        const std::vector<Pair> pairs = matchRows(*was, now, keys, problems);
+        const Twins twins{*was, now, keys, matchRows(*was, now, keys, problems)};
         if (!problems.empty()) return all;
-        tellMissing("old", *was, pairs.size(), all.environment);
-        tellMissing("new", now, pairs.size(), all.environment);
-        for (const Measured& measured : measuredIn(*was, now)) {
-            Table table = compareColumn(now, measured, pairs, keys, tolerance);
-            if (!table.rows.empty()) all.tables.push_back(std::move(table));
-        }
+        addMissing("old", *was, keys.before, now, keys.after, missing);
+        addMissing("new", now, keys.after, *was, keys.before, missing);
+        compareTables(twins, tolerance, summary, all.tables);
     }
-    if (all.tables.empty())
+    if (summary.rows.empty())
         problems.push_back({{},
                             0,
                             {},
-                            "the two runs have no row of times in common",
-                            "give two files of `gnomon bench --json=FILE` with the same scenes and settings"});
+                            "the two runs have no measured row in common",
+                            "give two files that `gnomon bench` or one `gnomon lab` wrote with --json=FILE, with the "
+                            "same scenes and settings"});
+    all.tables.insert(all.tables.begin(), std::move(summary));
+    if (!missing.rows.empty()) all.tables.push_back(std::move(missing));
     return all;
-}
-
-std::string comparisonSummary(const Results& comparison) {
-    std::string text;
-    for (const Table& table : comparison.tables) {
-        std::string counts;
-        for (const std::string_view word : {kFaster, kSlower, kSame}) {
-            const auto count = std::count_if(table.rows.begin(), table.rows.end(),
-                                             [&](const auto& row) { return row.back() == Cell(std::string(word)); });
-            counts += (counts.empty() ? "" : ", ") + std::to_string(count) + " " + std::string(word);
-        }
-        text += table.title + ": " + counts + "\n";
-    }
-    return text;
 }
 
 } // namespace gnomon

@@ -1,11 +1,15 @@
 /// Two runs of the same measurement, held against each other row by row.
 ///
-/// Rows are the same where their key columns are (Table::keys); compared is every column in ms that has quartiles.
-/// Where a column KEY_yards tells the same in yardsticks, the ratio is that of yardsticks, from which the machine's
-/// other work cancels, and columns without are passed over. The ratio's interval is that of quartiles.h, with the rows'
-/// `rounds`, or one where they are not told. A row is faster or slower where the interval does not hold 1 and the ratio
-/// is farther from it than a tolerance: runs of one and the same program differ by more than their spreads tell
-/// (docs/bench.md).
+/// Rows are the same where their key columns are (Table::keys); what is compared says Column::kind.
+/// Time, Ratio  where they have quartiles: what a single measurement says is chance. The interval of new to old is that
+///              of quartiles.h, with the rows' `passes` or `rounds`, or one where neither is told. A row is faster or
+///              slower where the interval does not hold 1 and the ratio is farther from it than a tolerance: runs of
+///              one and the same program differ by more than their spreads tell (docs/bench.md). Where a column
+///              KEY_yards tells a time in yardsticks, the ratio is that of yardsticks, from which the machine's other
+///              work cancels, and times without are passed over.
+/// Error        better or worse where its size changed by more than kErrorTolerance: there is no noise, but compilers
+///              round in other orders.
+/// Count        better or worse, or more or less where neither is, where it changed at all.
 #pragma once
 
 #include "tracer/lab/results.h"
@@ -13,12 +17,12 @@
 
 namespace gnomon {
 
-/// A table for each column that both runs measured: old, new, ratio, and a word for it. The environment says what
-/// differs as `OLD → NEW`, and how many rows only one run has. Problems where rows cannot be told apart, or where there
-/// is nothing to compare.
-Results compareRuns(const Results& before, const Results& after, double tolerance, Problems&);
+inline constexpr double kErrorTolerance = 0.01; ///< of the greater one
 
-/// `frame: 3 faster, 1 slower, 8 the same within noise`, a line for each table of a comparison.
-std::string comparisonSummary(const Results&);
+/// The first table says of each compared column how many rows became what. Then a table for each column of times: old,
+/// new, ratio, and a word for it; one for each table's errors and counts: those that changed; and one of the rows that
+/// only one run has. The environment says what differs as `OLD → NEW`. Problems where rows cannot be told apart, or
+/// where there is nothing to compare.
+Results compareRuns(const Results& before, const Results& after, double tolerance, Problems&);
 
 } // namespace gnomon

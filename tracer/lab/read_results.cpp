@@ -3,13 +3,17 @@
 #include "tracer/scene/json_document.h"
 
 #include <algorithm>
+#include <array>
 
 namespace gnomon {
 namespace {
 
-using Kind = JsonValue::Kind;
+using Json = JsonValue::Kind;
 
 const char* const kRemedy = "write it anew with --json=FILE";
+const std::string_view kPng = "data:image/png;base64,";
+constexpr std::array kKinds{Kind::Time, Kind::Ratio, Kind::Error, Kind::Count};
+constexpr std::array kBetters{Better::Lower, Better::Higher};
 
 std::string entry(const std::string& path, std::size_t index) { return path + "[" + std::to_string(index) + "]"; }
 
@@ -32,13 +36,14 @@ class ResultsReader {
         const auto& charts = entries(root, "", "charts");
         for (std::size_t i = 0; i < charts.size(); ++i)
             results.charts.push_back(chart(charts[i], entry("charts", i), results.tables));
+        if (root.find("pictures")) readPictures(root, results);
         return results;
     }
 
   private:
     bool checkFormat(const JsonValue& root) {
         const JsonValue* format = root.find("format");
-        if (!format || format->kind != Kind::String || format->text != "gnomon-results")
+        if (!format || format->kind != Json::String || format->text != "gnomon-results")
             complain(format ? *format : root, format ? "format" : "", "this is no file of results",
                      "give a file that `gnomon bench` or `gnomon lab` wrote with --json=FILE");
         const double version = failed_ ? 1 : number(root, "", "version");
@@ -55,7 +60,9 @@ class ResultsReader {
         for (std::size_t i = 0; i < columns.size(); ++i) {
             const std::string at = entry(path + ".columns", i);
             table.columns.push_back({text(columns[i], at, "key"), text(columns[i], at, "title"),
-                                     text(columns[i], at, "unit"), text(columns[i], at, "help")});
+                                     text(columns[i], at, "unit"), text(columns[i], at, "help"),
+                                     named<Kind>(columns[i], at, "kind", kKinds),
+                                     named<Better>(columns[i], at, "better", kBetters)});
         }
         const auto& rows = entries(value, path, "rows");
         for (std::size_t i = 0; i < rows.size(); ++i)
@@ -74,18 +81,18 @@ class ResultsReader {
 
     std::vector<Cell> row(const JsonValue& value, const std::string& path, std::size_t columns) {
         std::vector<Cell> cells;
-        if (!is(value, Kind::Array, path)) return cells;
+        if (!is(value, Json::Array, path)) return cells;
         if (value.children.size() != columns)
             complain(value, path,
-                     "the row has " + std::to_string(value.children.size()) + " cells, the table " +
-                         std::to_string(columns) + " columns",
+                     "the row has " + std::to_string(value.children.size()) + " cells instead of " +
+                         std::to_string(columns),
                      kRemedy);
         for (const JsonValue& cell : value.children) {
-            if (cell.kind == Kind::Number)
+            if (cell.kind == Json::Number)
                 cells.emplace_back(cell.number);
-            else if (cell.kind == Kind::String)
+            else if (cell.kind == Json::String)
                 cells.emplace_back(cell.text);
-            else if (cell.kind == Kind::Null)
+            else if (cell.kind == Json::Null)
                 cells.emplace_back();
             else
                 complain(cell, entry(path, cells.size()),
@@ -98,11 +105,8 @@ class ResultsReader {
         Chart chart;
         chart.title = text(value, path, "title");
         chart.table = text(value, path, "table");
-        const auto table =
-            std::find_if(tables.begin(), tables.end(), [&](const Table& t) { return t.name == chart.table; });
-        if (!failed_ && table == tables.end())
-            complain(value, path + ".table", "there is no table " + inQuotes(chart.table), kRemedy);
-        if (failed_) return chart;
+        const Table* table = tableOf(value, path, chart.table, tables);
+        if (!table) return chart;
         chart.x = column(value, path, "x", *table, false);
         chart.series = column(value, path, "series", *table, true);
         chart.facet = column(value, path, "facet", *table, true);
@@ -116,7 +120,54 @@ class ResultsReader {
             chart.where.emplace_back(where.key, word(where, memberPath(path + ".where", where.key)));
         chart.logX = flag(value, path, "log_x");
         chart.logY = flag(value, path, "log_y");
+        if (value.find("front")) chart.front = column(value, path, "front", *table, true);
         return chart;
+    }
+
+    void readPictures(const JsonValue& root, Results& results) {
+        for (const JsonValue& value : entries(root, "", "images")) {
+            const std::string at = entry("images", results.images.size());
+            results.images.push_back(word(value, at));
+            if (!failed_ && results.images.back().rfind(kPng, 0) != 0)
+                complain(value, at, "is no PNG as a data URL", kRemedy);
+        }
+        const auto& pictures = entries(root, "", "pictures");
+        for (std::size_t i = 0; i < pictures.size(); ++i)
+            results.pictures.push_back(picture(pictures[i], entry("pictures", i), results));
+    }
+
+    Picture picture(const JsonValue& value, const std::string& path, const Results& results) {
+        Picture picture;
+        picture.title = text(value, path, "title");
+        picture.table = text(value, path, "table");
+        const Table* table = tableOf(value, path, picture.table, results.tables);
+        if (!table) return picture;
+        if (const JsonValue* cells = member(value, path, "row", Json::Array))
+            picture.row = row(*cells, path + ".row", std::size_t(table->keys));
+        picture.image = imageOf(value, path, results);
+        if (const JsonValue* reference = value.find("reference")) {
+            picture.reference = imageOf(*reference, path + ".reference", results);
+            picture.referenceTitle = text(*reference, path + ".reference", "title");
+        }
+        return picture;
+    }
+
+    std::size_t imageOf(const JsonValue& value, const std::string& path, const Results& results) {
+        const double index = number(value, path, "image");
+        const bool known = index >= 0 && index < double(results.images.size()) && index == double(std::size_t(index));
+        if (!failed_ && !known)
+            complain(*value.find("image"), path + ".image",
+                     toString(index) + " is no image; there are " + std::to_string(results.images.size()), kRemedy);
+        return known ? std::size_t(index) : 0;
+    }
+
+    /// Null, with a problem, where there is none of that name.
+    const Table* tableOf(const JsonValue& value, const std::string& path, const std::string& name,
+                         const std::vector<Table>& tables) {
+        const auto table = std::find_if(tables.begin(), tables.end(), [&](const Table& t) { return t.name == name; });
+        if (!failed_ && table == tables.end())
+            complain(value, path + ".table", "there is no table " + inQuotes(name), kRemedy);
+        return failed_ ? nullptr : &*table;
     }
 
     std::string column(const JsonValue& value, const std::string& path, const char* key, const Table& table,
@@ -130,39 +181,55 @@ class ResultsReader {
         return name;
     }
 
+    /// One of `known` by its name; what zero stands for where nothing is said.
+    template<class Named, std::size_t count>
+    Named named(const JsonValue& object, const std::string& path, const char* key,
+                const std::array<Named, count>& known) {
+        if (failed_ || !object.find(key)) return {};
+        const std::string name = text(object, path, key);
+        std::string names;
+        for (const Named one : known) {
+            if (nameOf(one) == name) return one;
+            names += (names.empty() ? "" : ", ") + std::string(nameOf(one));
+        }
+        if (!failed_)
+            complain(*object.find(key), memberPath(path, key), inQuotes(name) + " is none of " + names, kRemedy);
+        return {};
+    }
+
     // --- values of one kind -----------------------------------------------------------------------------------------
 
     std::string text(const JsonValue& object, const std::string& path, const char* key) {
-        const JsonValue* value = member(object, path, key, Kind::String);
+        const JsonValue* value = member(object, path, key, Json::String);
         return value ? value->text : std::string();
     }
     double number(const JsonValue& object, const std::string& path, const char* key) {
-        const JsonValue* value = member(object, path, key, Kind::Number);
+        const JsonValue* value = member(object, path, key, Json::Number);
         return value ? value->number : 0;
     }
     bool flag(const JsonValue& object, const std::string& path, const char* key) {
-        const JsonValue* value = member(object, path, key, Kind::Boolean);
+        const JsonValue* value = member(object, path, key, Json::Boolean);
         return value && value->boolean;
     }
     const std::vector<JsonValue>& entries(const JsonValue& object, const std::string& path, const char* key) {
-        const JsonValue* value = member(object, path, key, Kind::Array);
+        const JsonValue* value = member(object, path, key, Json::Array);
         return value ? value->children : none_;
     }
     const std::vector<JsonValue>& members(const JsonValue& object, const std::string& path, const char* key) {
-        const JsonValue* value = member(object, path, key, Kind::Object);
+        const JsonValue* value = member(object, path, key, Json::Object);
         return value ? value->children : none_;
     }
     std::string word(const JsonValue& value, const std::string& path) {
-        return is(value, Kind::String, path) ? value.text : std::string();
+        return is(value, Json::String, path) ? value.text : std::string();
     }
 
-    const JsonValue* member(const JsonValue& object, const std::string& path, const char* key, Kind kind) {
-        if (!is(object, Kind::Object, path)) return nullptr;
+    const JsonValue* member(const JsonValue& object, const std::string& path, const char* key, Json kind) {
+        if (!is(object, Json::Object, path)) return nullptr;
         const JsonValue* value = object.find(key);
         if (!value) complain(object, memberPath(path, key), "is missing", kRemedy);
         return value && is(*value, kind, memberPath(path, key)) ? value : nullptr;
     }
-    bool is(const JsonValue& value, Kind kind, const std::string& path) {
+    bool is(const JsonValue& value, Json kind, const std::string& path) {
         if (value.kind != kind)
             complain(value, path,
                      "has to be " + std::string(describe(kind)) + ", not " + std::string(describe(value.kind)),

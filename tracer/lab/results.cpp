@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 
@@ -20,15 +21,23 @@ Json jsonOf(const Cell& cell) {
     return std::isfinite(*number) ? Json(*number) : Json(shown(cell));
 }
 
+Json jsonOf(const Column& column) {
+    Json all{{"key", column.key}, {"title", column.title}, {"unit", column.unit}, {"help", column.help}};
+    if (column.kind != Kind::None) all["kind"] = nameOf(column.kind);
+    if (column.better != Better::Untold) all["better"] = nameOf(column.better);
+    return all;
+}
+
+Json jsonOf(const std::vector<Cell>& row) {
+    Json cells = Json::array();
+    for (const Cell& cell : row) cells.push_back(jsonOf(cell));
+    return cells;
+}
+
 Json jsonOf(const Table& table) {
     Json columns = Json::array(), rows = Json::array();
-    for (const Column& column : table.columns)
-        columns.push_back({{"key", column.key}, {"title", column.title}, {"unit", column.unit}, {"help", column.help}});
-    for (const auto& row : table.rows) {
-        Json cells = Json::array();
-        for (const Cell& cell : row) cells.push_back(jsonOf(cell));
-        rows.push_back(std::move(cells));
-    }
+    for (const Column& column : table.columns) columns.push_back(jsonOf(column));
+    for (const auto& row : table.rows) rows.push_back(jsonOf(row));
     Json all{{"name", table.name}, {"title", table.title}};
     if (table.keys > 0) all["keys"] = table.keys;
     all["columns"] = std::move(columns);
@@ -40,9 +49,18 @@ Json jsonOf(const Chart& chart) {
     Json where = Json::object(), y = Json::array();
     for (const auto& [key, label] : chart.y) y.push_back({{"column", key}, {"label", label}});
     for (const auto& [key, value] : chart.where) where[key] = value;
-    return {{"title", chart.title},   {"table", chart.table}, {"x", chart.x},   {"y", y},
-            {"series", chart.series}, {"facet", chart.facet}, {"where", where}, {"log_x", chart.logX},
-            {"log_y", chart.logY}};
+    Json all{{"title", chart.title},   {"table", chart.table}, {"x", chart.x},   {"y", y},
+             {"series", chart.series}, {"facet", chart.facet}, {"where", where}, {"log_x", chart.logX},
+             {"log_y", chart.logY}};
+    if (!chart.front.empty()) all["front"] = chart.front;
+    return all;
+}
+
+Json jsonOf(const Picture& picture) {
+    Json all{
+        {"title", picture.title}, {"table", picture.table}, {"row", jsonOf(picture.row)}, {"image", picture.image}};
+    if (picture.reference) all["reference"] = {{"image", *picture.reference}, {"title", picture.referenceTitle}};
+    return all;
 }
 
 /// Three digits, but never fewer than there are before the point.
@@ -86,14 +104,29 @@ std::vector<std::string> markdownColumn(const Table& table, std::size_t at) {
 
 } // namespace
 
+std::string_view nameOf(Kind kind) {
+    constexpr std::array<std::string_view, 5> kNames{"", "time", "ratio", "error", "count"};
+    return kNames[std::size_t(kind)];
+}
+
+std::string_view nameOf(Better better) {
+    constexpr std::array<std::string_view, 3> kNames{"", "lower", "higher"};
+    return kNames[std::size_t(better)];
+}
+
 std::string toJson(const Results& results) {
-    Json environment = Json::object(), tables = Json::array(), charts = Json::array();
+    Json environment = Json::object(), tables = Json::array(), charts = Json::array(), pictures = Json::array();
     for (const auto& [name, value] : results.environment) environment[name] = value;
     for (const Table& table : results.tables) tables.push_back(jsonOf(table));
     for (const Chart& chart : results.charts) charts.push_back(jsonOf(chart));
-    const Json all{{"format", "gnomon-results"}, {"version", kVersion},        {"title", results.title},
-                   {"command", results.command}, {"environment", environment}, {"tables", std::move(tables)},
-                   {"charts", std::move(charts)}};
+    for (const Picture& picture : results.pictures) pictures.push_back(jsonOf(picture));
+    Json all{{"format", "gnomon-results"}, {"version", kVersion},        {"title", results.title},
+             {"command", results.command}, {"environment", environment}, {"tables", std::move(tables)},
+             {"charts", std::move(charts)}};
+    if (!pictures.empty()) {
+        all["images"] = results.images;
+        all["pictures"] = std::move(pictures);
+    }
     return all.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -51,7 +51,7 @@ export function makeHelp(dialog, table, about) {
 
   return () => {
     if (dialog.open) return dialog.close();
-    bottom.textContent = about();
+    bottom.replaceChildren(about(), ' · ', Object.assign(document.createElement('a'), { href: 'report.html', target: '_blank', style: 'color: inherit', textContent: 'Results viewer' }));
     dialog.showModal();
   };
 }
