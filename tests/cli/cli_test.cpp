@@ -242,12 +242,49 @@ TEST_F(Cli, ReportMakesOnePageOfSeveralRunsAndComparesTwo) {
     EXPECT_EQ(gnomon("report old.json new.json -o both.html").out, "both.html written\n");
     const Answer run = gnomon("report --against old.json new.json --json=change.json -o change.html");
     EXPECT_EQ(run.code, 0) << run.err;
-    EXPECT_NE(run.out.find("Frames a second: frame: "), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("Frames a second: frame"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("What changed"), std::string::npos) << run.out;
     const auto change = nlohmann::json::parse(readText(folder_ / "change.json"));
     EXPECT_EQ(change["command"], "gnomon report --against old.json new.json --tolerance=5");
-    EXPECT_EQ(change["tables"][0]["columns"].back()["key"], "verdict");
-    EXPECT_EQ(emptyIn(change["tables"][0], "ratio"), 0);
+    EXPECT_EQ(change["tables"][0]["name"], "changes");
+    EXPECT_EQ(change["tables"][1]["columns"].back()["key"], "verdict");
+    EXPECT_EQ(emptyIn(change["tables"][1], "ratio"), 0);
     EXPECT_TRUE(fs::exists(folder_ / "change.html"));
+}
+
+// One number made worse, one count made less, one row taken away: each is told, and nothing else.
+TEST_F(Cli, ReportComparesWhatLabsMeasure) {
+    const Answer lab = gnomon("lab shadows --scenes=simple --models=hard,silhouette,quilez --size=32x24 --reference=16 "
+                              "--repeats=1 --json=old.json");
+    ASSERT_EQ(lab.code, 0) << lab.err;
+    auto results = nlohmann::json::parse(readText(folder_ / "old.json"));
+    auto& table = results["tables"][0];
+    const auto cell = [&](std::size_t row, const char* key) -> nlohmann::json& {
+        for (std::size_t i = 0; i < table["columns"].size(); ++i)
+            if (table["columns"][i]["key"] == key) return table["rows"][row][i];
+        ADD_FAILURE() << key;
+        return table;
+    };
+    cell(0, "rmse") = 2 * cell(0, "rmse").get<double>();
+    cell(1, "evaluations") = cell(1, "evaluations").get<double>() + 1;
+    table["rows"].erase(2);
+    results.erase("pictures");
+    write("new.json", results.dump());
+    const Answer run = gnomon("report --against old.json new.json --json=change.json");
+    EXPECT_EQ(run.code, 0) << run.err;
+    const auto change = nlohmann::json::parse(readText(folder_ / "change.json"));
+    for (const auto& one : change["tables"])
+        if (one["name"] == "shadows_changed") {
+            ASSERT_EQ(one["rows"].size(), 2U);
+            for (const auto& row : one["rows"]) EXPECT_EQ(row.back(), "worse");
+        } else if (one["name"] == "missing") {
+            ASSERT_FALSE(one["rows"].empty());
+            EXPECT_EQ(one["rows"][0][2], "old");
+        } else if (one["name"] != "changes") {
+            for (const auto& row : one["rows"]) EXPECT_EQ(row.back(), "the same within noise") << one["name"];
+        }
+    EXPECT_NE(run.out.find("Rows that only one run has"), std::string::npos) << run.out;
+    EXPECT_NE(run.out.find("errors and counts that changed"), std::string::npos) << run.out;
 }
 
 TEST_F(Cli, ReportRefusesFilesThatAreNoResults) {
