@@ -283,12 +283,15 @@ std::map<std::string, double> Compiler::figures(const Words& vertexSpirv, const 
 }
 
 gnomon::Table emptyTable() {
-    gnomon::Table table{"gpu", "The shader as GPUs run it", {}, {}};
+    gnomon::Table table{"gpu", "The shader as GPUs run it", {}, {}, 3};
     table.columns = {{"family", "family", "", "Chip that RADV compiled for"},
                      {"scene", "scene", "", "Scene file"},
                      {"settings", "settings", "", "Settings that differ from the defaults"},
                      {"wave", "wave", "lanes", "Pixels that run together"}};
-    for (const Figure& figure : kFigures) table.columns.push_back(figure.column);
+    for (const Figure& figure : kFigures) {
+        table.columns.push_back(figure.column);
+        table.columns.back().kind = gnomon::Kind::Count;
+    }
     return table;
 }
 

@@ -53,7 +53,7 @@ function drawChart(canvas, chart, columns, rows, pictures) {
   if (chart.front) lines.unshift(frontOf(chart, rows));
   const axis = (key, log) => ({
     type: log ? 'logarithmic' : 'linear',
-    beginAtZero: key !== chart.x, // a ratio seen through a keyhole looks like a mountain range
+    beginAtZero: key !== chart.x && !log, // a ratio seen through a keyhole looks like a mountain range
     title: { display: true, text: axisTitle(columns.get(key)) },
     ...(key === chart.x && !log && places.length <= 12 ? { afterBuildTicks: (axis) => (axis.ticks = places.map((value) => ({ value }))) } : {}),
     ticks: { callback: (value) => (log && !isWritten(value) ? null : Number(value.toPrecision(3)).toLocaleString('en', { maximumFractionDigits: 12 })) },
