@@ -283,13 +283,13 @@ std::vector<Shape> crowd(std::uint64_t seed, int count) {
 TEST(Silhouette, OfACrowdIsWhatRaysSee) {
     double squares = 0, worst = 0;
     for (int i = 0; i < 6; ++i) {
-        const Errors errors = againstRays(crowd(std::uint64_t(i), i + 1), aboutTheMiddle(std::uint64_t(50 + i), 100));
+        const Errors errors = againstRays(crowd(std::uint64_t(i), i + 1), aboutTheMiddle(std::uint64_t(50 + i), 200));
         std::printf("%d bodies: rms %.4f worst %.4f\n", i + 1, errors.rms, errors.worst);
         squares += errors.rms * errors.rms / 6;
         worst = std::max(worst, errors.worst);
     }
-    EXPECT_LE(std::sqrt(squares), 0.003);
-    EXPECT_LE(worst, 0.02);
+    EXPECT_LE(std::sqrt(squares), 0.002);
+    EXPECT_LE(worst, 0.015);
 }
 
 TEST(Silhouette, CountsTwoOfOneSilhouetteOnce) {
