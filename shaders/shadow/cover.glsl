@@ -45,6 +45,7 @@ struct Shade {
     float area;
     float largest; // cover so far: the union is no less
     Points hidden;
+    float count; // of those
 };
 
 const mat4 kBeyond = mat4(2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0);
@@ -125,11 +126,12 @@ float sharedPart(float a, float b, float both, float neither, float one, float o
 void unite(inout Shade shade, float area, Points points) {
     float both = countOf(inBoth(points, shade.hidden));
     float added = countOf(points) - both;
-    float left = countOf(shade.hidden) - both;
+    float left = shade.count - both;
     float twice = sharedPart(min(area / kPi, 1.0), min(shade.area / kPi, 1.0), both, 256.0 - both - added - left, added, left);
     shade.area += area - kPi * twice;
     shade.largest = max(shade.largest, area);
     shade.hidden = together(shade.hidden, points);
+    shade.count += added;
 }
 
 void unite(inout Shade shade, Cover cover) { unite(shade, cover.area, pointsOf(cover)); }

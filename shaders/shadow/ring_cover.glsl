@@ -98,10 +98,20 @@ vec4 belowHorizon(LightCone cone, vec3 horizon, Cells cells) {
     return clamp(0.5 - (riseTo(cells, vec2(0.0), facing) + normal.z) / riseWithin(cells, facing), 0.0, 1.0);
 }
 
+// Between which x, or y, of the disc the ring's ball is seen: `off` and `ahead` lead to its middle.
+vec2 ballSpan(float off, float ahead, float radius, float slope) {
+    float square = off * off + ahead * ahead - radius * radius;
+    if (ahead <= 1.01 * radius || square <= 0.0) return vec2(-2.0, 2.0);
+    return (off * ahead + vec2(-radius, radius) * sqrt(square)) / ((ahead * ahead - radius * radius) * slope);
+}
+
 void uniteRing(Ring ring, LightCone cone, vec3 horizon, bool own, inout Shade shade) {
     const uvec4 kPlaces = uvec4(0u, 1u, 0u, 1u);
     Points points = Points(uvec4(0u), uvec4(0u));
     vec2 counts = vec2(0.0); // all points, those that were bare
+    vec3 center = -ring.apex * cone.axes;
+    vec2 xs = ballSpan(center.x, center.z, 1.0 + ring.minor, cone.slope);
+    vec2 ys = ballSpan(center.y, center.z, 1.0 + ring.minor, cone.slope);
     for (int i = 0; i < 8; ++i) { // two rows at once
         bool odd = (i & 1) == 1;
         uint half16 = (i & 2) == 2 ? 16u : 0u;
@@ -112,7 +122,13 @@ void uniteRing(Ring ring, LightCone cone, vec3 horizon, bool own, inout Shade sh
         uvec4 before = odd ? four.zzww : four.xxyy;
         Cells cells = Cells(vec4(0.0), y.xxyy, halfWidth.xxyy * 0.125, (kPi / 32.0) / halfWidth.xxyy);
         uvec4 found = uvec4(0u);
-        for (int j = 0; j < 8; ++j) { // two columns
+        // A cell reaches half its height, and the square about one that is as wide, beyond its point.
+        bool reached = y.x - cells.height.x < ys.y && y.y + cells.height.z > ys.x;
+        float narrow = 4.0 / min(halfWidth.x, halfWidth.y);
+        float wide = 4.0 / max(halfWidth.x, halfWidth.y);
+        int from = int(clamp(floor(2.0 + (xs.x > 0.0 ? wide : narrow) * xs.x), 0.0, 8.0));
+        int to = reached ? int(clamp(ceil(6.0 + (xs.y > 0.0 ? narrow : wide) * xs.y), 0.0, 8.0)) : 0;
+        for (int j = from; j < to; ++j) { // two columns
             uvec4 place = 2u * uint(j) + kPlaces;
             cells.x = cells.width * (vec4(place) - 7.5 + shift.xxyy);
             vec4 hidden = ringOver(ring, cone, cells);
@@ -130,4 +146,5 @@ void uniteRing(Ring ring, LightCone cone, vec3 horizon, bool own, inout Shade sh
     shade.area += counts.y;
     shade.largest = max(shade.largest, counts.x);
     shade.hidden = together(shade.hidden, points);
+    shade.count = countOf(shade.hidden);
 }

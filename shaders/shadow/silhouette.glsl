@@ -67,7 +67,7 @@ uint in$Shape(int first, int self, LightCone cone) {
 
 float visibility(Beam beam) {
     LightCone cone = coneTo(beam);
-    Shade shade = Shade(0.0, 0.0, Points(uvec4(0u), uvec4(0u)));
+    Shade shade = Shade(0.0, 0.0, Points(uvec4(0u), uvec4(0u)), 0.0);
     if (beam.ray.self >= 0) {
         vec3 normal = beam.normal * cone.axes;
         unite(shade, halfDisc(-cone.slope * normal.xy, normal.z));
