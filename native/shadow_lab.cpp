@@ -32,24 +32,6 @@ class Scenery {
         return contender(way)->read(settings, view_, problems_);
     }
 
-    /// Of so many samples, a stretch at a time: some GLs end long loops early.
-    FloatImage reference(const ShadowWay& way, double radius, Aov aov) {
-        constexpr int kStretch = 32;
-        FloatImage sum;
-        for (int first = 0; first < way.samples && problems_.empty(); first += kStretch) {
-            Settings settings = settingsFor(plan_, way, radius);
-            settings.aov = aov;
-            settings.firstSample = first;
-            settings.samples = std::min(kStretch, way.samples - first);
-            const FloatImage part = contender(way)->read(settings, view_, problems_);
-            if (sum.pixels.empty())
-                sum = {part.width, part.height, part.channels, std::vector<float>(part.pixels.size())};
-            for (std::size_t i = 0; i < part.pixels.size(); ++i)
-                sum.pixels[i] += part.pixels[i] * float(settings.samples) / float(way.samples);
-        }
-        return sum;
-    }
-
     /// Empty where the plan wants none.
     Image pictureOf(const FloatImage& colors) const {
         if (!plan_.pictures || !problems_.empty()) return {};
@@ -93,8 +75,8 @@ void markFront(ShadowCosts& costs) {
 bool readBack(Scenery& scenery, const ShadowPlan& plan, ShadowCosts& costs, LabProgress& progress, Problems& problems) {
     const ShadowWay off{ShadowModel::Off}, exact{ShadowModel::Montecarlo, Direction::FromSurface, 0.1, plan.reference};
     const FloatImage objects = scenery.output(off, costs.radius, Aov::Object);
-    const FloatImage fractions = scenery.reference(exact, costs.radius, Aov::Visibility);
-    const FloatImage picture = scenery.reference(exact, costs.radius, Aov::Color);
+    const FloatImage fractions = scenery.output(exact, costs.radius, Aov::Visibility);
+    const FloatImage picture = scenery.output(exact, costs.radius, Aov::Color);
     if (!problems.empty()) return false;
     costs.reference = scenery.pictureOf(picture);
     const double bare = meanOf(scenery.output(off, costs.radius, Aov::Steps), 0);

@@ -268,10 +268,17 @@ Surface surfaceTorus(Torus torus, Ray ray, float t) {
 }
 
 #if COVERS
-// As seen along a direction: across its tube, and endless where that leads along the tube.
-float thickTorus(Torus torus, vec3 p, vec3 direction) {
-    vec3 tube = cross(torus.axis, p - torus.center);
-    float along = dot(tube, direction) / max(length(tube), 1e-20);
-    return 2.0 * torus.minor / max(1.0 - along * along, 1e-6);
+#include "shadow/ring_cover.glsl"
+
+// horizon: the surface's normal; own: that of the torus itself, whose place is exact to `uncertain`.
+void uniteTorus(Torus torus, LightCone cone, vec3 horizon, bool own, float uncertain, inout Shade shade) {
+    float perMajor = 1.0 / torus.major;
+    vec3 apex = (cone.apex - torus.center) * perMajor;
+    float minor = torus.minor * perMajor;
+    float z = dot(apex, torus.axis);
+    vec3 across = apex - z * torus.axis;
+    cone.distance *= perMajor;
+    if (!own && length(vec2(length(across) - 1.0, z)) < minor) shade.largest = kPi;
+    else uniteRing(Ring(apex, torus.axis, minor, z, across, own ? 2.0 * minor * uncertain * perMajor : 0.0), cone, horizon, own, shade);
 }
 #endif

@@ -8,9 +8,10 @@
 // Cover        how much of the disc is covered, and between which q.x in each of 16 rows; a convex body covers a stretch
 // halfDisc     the cover of all q with dot(normal, q) > level
 // Shade        the union of covers: its area, and a mask of 256 points of the disc, 16 in each row
-// unite        adds a cover. What it adds is its area times the share of its points that were bare: covers that do not overlap
-//              add up to their exact areas, and where they do the mask says only how much of each is left
+// unite        adds a cover. What it has in common with those before follows from both areas and the points' odds: covers that do
+//              not overlap add up to their exact areas, as do those of which one holds the other or which leave nothing bare
 // Error        areas: roundings. Union of covers that overlap: the mask's, about .01 of the disc at worst (RMSE .002)
+// Source       R. L. Plackett, A Class of Bivariate Distributions, 1965, for a table of given sums and odds
 // Limits       rows cut the disc into slices of equal area, at the middle of each slice's mass
 const float kPi = 3.14159265358979;
 const mat4 kRows = mat4(-0.864976, -0.701790, -0.573609, -0.458684, -0.351139, -0.248116, -0.147864, -0.049127,
@@ -44,6 +45,7 @@ struct Shade {
     float area;
     float largest; // cover so far: the union is no less
     Points hidden;
+    float count; // of those
 };
 
 const mat4 kBeyond = mat4(2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0, 2.0);
@@ -108,12 +110,28 @@ float countOf(Points points) {
     return float((sum & 0xFFFFu) + (sum >> 16u));
 }
 
+// What two parts of the disc of known areas have in common, all as shares of it, whose odds of lying in both are those of the
+// mask's points: of all in both or in neither against those in one only.
+float sharedPart(float a, float b, float both, float neither, float one, float other) {
+    float most = min(a, b);
+    float least = max(a + b - 1.0, 0.0);
+    if (both + one == 0.0 || both + other == 0.0) return a * b; // one has no points
+    if (one * other == 0.0) return most;
+    if (both * neither == 0.0) return least;
+    float odds = both * neither / (one * other);
+    float s = 1.0 + (a + b) * (odds - 1.0);
+    return clamp(2.0 * odds * a * b / (s + sqrt(max(s * s - 4.0 * odds * (odds - 1.0) * a * b, 0.0))), least, most);
+}
+
 void unite(inout Shade shade, float area, Points points) {
-    float count = countOf(points);
-    float bare = count > 0.0 ? countOf(without(points, shade.hidden)) / count : 1.0 - min(shade.area / kPi, 1.0);
-    shade.area += bare * area;
+    float both = countOf(inBoth(points, shade.hidden));
+    float added = countOf(points) - both;
+    float left = shade.count - both;
+    float twice = sharedPart(min(area / kPi, 1.0), min(shade.area / kPi, 1.0), both, 256.0 - both - added - left, added, left);
+    shade.area += area - kPi * twice;
     shade.largest = max(shade.largest, area);
     shade.hidden = together(shade.hidden, points);
+    shade.count += added;
 }
 
 void unite(inout Shade shade, Cover cover) { unite(shade, cover.area, pointsOf(cover)); }

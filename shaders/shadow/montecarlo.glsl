@@ -2,8 +2,8 @@
 // at random from pixel to pixel, so that too few samples show as noise and not as bands.
 //
 // Error  falls about as 1 / samples^(3/4); unbiased, so with enough samples it is the reference of the others
-// Limits llvmpipe ends all loops of a pixel after 65 536 turns in all: many samples of a scene with long marches are to be
-//        taken in several pictures (--first-sample)
+// Limits llvmpipe ends all loops of a pixel after 65 536 turns in all: what is read back takes many samples in several draws
+//        (Renderer), a window draws all at once
 // Source J. Halton, On the efficiency of certain quasi-random sequences, 1960; R. Cranley and T. Patterson, 1976, for the
 //        shift
 #include "shadow/frame_about.glsl"

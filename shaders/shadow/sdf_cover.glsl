@@ -4,9 +4,7 @@
 //
 // hide$Shape  adds the shape's cover
 // thick$Shape how far behind its near side a shape ends at the latest, across a direction at a point: a plane gets a far side,
-//             so that a thin ring hides no more than itself
-// Error       a torus, alone: .02 of the disc on average (RMSE), .2 at worst: where it is much smaller than the disc, or the
-//             ends of its hole lie within a seventh of it (tests/shader/silhouette_test.cpp)
+//             so that a small body hides no more than itself
 // Source      shadows.md's sub-cones; the least q by a secant between two steps where it stops falling
 // Limits      of each cone only the nearest approach counts
 #if OUTPUT == STEPS
@@ -22,7 +20,7 @@ struct Approach {
 };
 
 #for Shape in CASTERS
-#if !$SHAPE_CONVEX && !$SHAPE_ESTIMATED
+#if $SHAPE_SOLID && !$SHAPE_ESTIMATED
 // Where along the direction the shape is relatively nearest; q = 1 where it is not met.
 Approach approach$Shape($Shape shape, vec3 apex, vec3 direction, float end, float slope) {
     const int kMostSteps = 64;

@@ -1,11 +1,12 @@
 // Soft shadow by what the silhouettes of the casters cover of the light's disc. Nothing is marched or sampled where a shape is
-// convex: its cover's area is worked out, and covers that overlap are united over a mask (shadow/cover.glsl).
+// convex: its cover's area is worked out, and covers that overlap are united over a mask (shadow/cover.glsl). A shape that is
+// not adds its cover to the union itself (uniteTYPE).
 //
 // The surface's own body hides what is below the horizon and, where it is convex, nothing else. A light without a radius gets
 // the disc that a pixel covers, so that its shadows have edges one pixel wide.
 //
-// Error   a single caster: shadow/round_cover.glsl and outline.glsl; several that overlap: cover.glsl; a torus, which is
-//         marched: sdf_cover.glsl; an estimate, which rays are sent through: ray_cover.glsl (tests/shader/silhouette_test.cpp,
+// Error   a single caster: shadow/round_cover.glsl, outline.glsl and ring_cover.glsl; several that overlap: cover.glsl; a solid,
+//         which is marched: sdf_cover.glsl; an estimate, which rays are sent through: ray_cover.glsl (tests/shader/silhouette_test.cpp,
 //         docs/shadows.md)
 // Source  Nishita and Nakamae, 1983, for areas of sources seen past convex polygons; the rest is our own
 #include "ray/bits.glsl"
@@ -43,6 +44,13 @@ void hide$Shape(int index, Beam beam, LightCone cone, inout Shade shade) {
     for (int i = 0; i < (inside ? 1 : 0); ++i) hideAll$Shape(index, beam, shade);
     for (int i = 0; i < (cover.area > 0.0 ? 1 : 0); ++i) unite(shade, cover);
 }
+#elif !$SHAPE_SOLID
+void hide$Shape(int index, Beam beam, LightCone cone, inout Shade shade) {
+    bool own = beam.ray.self == k$ShapeFirst + index;
+    $Shape shape = load$Shape(k$ShapeBase + index * k$ShapeTexels);
+    if (own && beam.ray.side < 0.0) shade.largest = kPi;
+    else unite$Shape(shape, cone, beam.normal, own, beam.ray.tMin, shade);
+}
 #endif
 #if $SHAPE_BOUNDED
 // Those of 32 casters whose balls the cone does not pass by. A ray that leaves its own convex body never comes back.
@@ -59,7 +67,7 @@ uint in$Shape(int first, int self, LightCone cone) {
 
 float visibility(Beam beam) {
     LightCone cone = coneTo(beam);
-    Shade shade = Shade(0.0, 0.0, Points(uvec4(0u), uvec4(0u)));
+    Shade shade = Shade(0.0, 0.0, Points(uvec4(0u), uvec4(0u)), 0.0);
     if (beam.ray.self >= 0) {
         vec3 normal = beam.normal * cone.axes;
         unite(shade, halfDisc(-cone.slope * normal.xy, normal.z));

@@ -3,6 +3,7 @@
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
 #include "tracer/lab/light_batch.h"
+#include "tracer/render/renderer.h"
 
 #include <gtest/gtest.h>
 
@@ -270,6 +271,62 @@ TEST(MonteCarlo, NearsTheShareThatAnEdgeLeavesAsSamplesGrow) {
         EXPECT_LE(error, 0.6 / std::pow(samples, 0.75)) << samples;
         EXPECT_LT(error, before);
         before = error;
+    }
+}
+
+/// Some GLs end all loops of a pixel early: as many rays at once as a user may ask for must not be fewer.
+TEST(MonteCarlo, TakesAsManySamplesAsAsked) {
+    offscreen();
+    constexpr int kAll = 1024, kPart = 32;
+    Settings settings = settingsFor(ShadowModel::Montecarlo);
+    settings.size = {24, 18};
+    settings.depth = 1;
+    settings.lightRadius = 0.5;
+    settings.samples = kPart;
+    const Scene scene = sceneNamed("mandelbulb");
+    std::vector<double> means;
+    for (int first = 0; first < kAll; first += kPart) {
+        settings.firstSample = first;
+        const FloatImage part = outputOf(scene, settings, Aov::Visibility);
+        means.resize(part.pixels.size());
+        for (std::size_t i = 0; i < means.size(); ++i) means[i] += double(part.pixels[i]) * kPart / kAll;
+    }
+    settings.firstSample = 0;
+    settings.samples = kAll;
+    const FloatImage whole = outputOf(scene, settings, Aov::Visibility);
+    ASSERT_EQ(whole.pixels.size(), means.size());
+    EXPECT_GT(std::count_if(means.begin(), means.end(), [](double v) { return v > 0.01 && v < 0.99; }), 10);
+    for (std::size_t i = 0; i < means.size(); ++i) EXPECT_NEAR(whole.pixels[i], means[i], 1e-6) << i;
+}
+
+/// What is averaged is light, and encoded once: a picture of two stretches is that of their mean.
+TEST(MonteCarlo, AveragesLightNotPixels) {
+    offscreen();
+    Settings settings = settingsFor(ShadowModel::Montecarlo);
+    settings.size = {64, 48};
+    settings.lightRadius = 1;
+    for (const char* name : {"pro", "mandelbulb"}) { // with the sRGB curve and without
+        const Scene scene = sceneNamed(name);
+        const auto pictureOf = [&](int samples) {
+            Problems problems;
+            Renderer renderer;
+            settings.samples = samples;
+            EXPECT_TRUE(renderer.setScene(scene, problems));
+            renderer.configure(settings);
+            EXPECT_TRUE(renderer.finish(problems)) << toString(problems);
+            return renderer.readPicture({scene.camera, 0, settings.size.x, settings.size.y}, problems);
+        };
+        const Image once = pictureOf(32), mean = pictureOf(33);
+        ASSERT_EQ(mean.rgba.size(), once.rgba.size());
+        double bias = 0;
+        int most = 0;
+        for (std::size_t i = 0; i < once.rgba.size(); ++i) {
+            const int off = int(mean.rgba[i]) - once.rgba[i];
+            bias += double(off) / double(once.rgba.size());
+            most = std::max(most, std::abs(off));
+        }
+        EXPECT_LT(std::abs(bias), 0.05) << name;
+        EXPECT_LE(most, 16) << name << ": one ray of 33 may change a pixel by so much";
     }
 }
 

@@ -66,6 +66,33 @@ std::vector<std::string> facesOf(const Scene& scene) {
     return faces;
 }
 
+/// Shadow rays to a light that one draw takes where its picture is read back: llvmpipe ends all loops of a pixel after
+/// 65 536 turns in all, and other drivers take a long draw for one that hangs.
+constexpr int kStretch = 32;
+
+bool inStretches(const Settings& settings) {
+    return settings.shadows == ShadowModel::Montecarlo && settings.samples > kStretch &&
+           (settings.aov == Aov::Color || settings.aov == Aov::Visibility);
+}
+
+std::uint8_t encoded(float light, bool linear) {
+    const float c = std::clamp(light, 0.0f, 1.0f); // the curve: shaders/shade/encode.glsl
+    const float curve = c <= 0.0031308f ? 12.92f * c : 1.055f * std::pow(c, 1 / 2.4f) - 0.055f;
+    return std::uint8_t(std::lround(255 * (linear ? curve : c)));
+}
+
+/// The picture of such numbers, as the shader would have encoded it.
+Image pictureOf(const FloatImage& numbers, bool linear) {
+    Image image{numbers.width, numbers.height, {}};
+    const std::size_t channels = std::size_t(numbers.channels);
+    for (std::size_t at = 0; at + channels <= numbers.pixels.size(); at += channels) {
+        for (std::size_t c = 0; c < 3; ++c)
+            image.rgba.push_back(encoded(numbers.pixels[at + std::min(c, channels - 1)], linear && channels == 3));
+        image.rgba.push_back(255);
+    }
+    return image;
+}
+
 /// The same view with fewer pixels.
 View scaled(View view, double scale) {
     view.width = std::max(1, int(std::lround(view.width * scale)));
@@ -270,8 +297,8 @@ struct Renderer::Impl {
         glDrawArrays(GL_TRIANGLES, 0, 3);
     }
 
-    void drawNow(const View& view, GLuint framebuffer, bool encode) {
-        drawInto(framebuffer, view, *drawn, *drawnScene, drawnSettings, encode);
+    void drawNow(const View& view, GLuint framebuffer) {
+        drawInto(framebuffer, view, *drawn, *drawnScene, drawnSettings, true);
     }
 
     // Pictures go into a target of our own and from there to the window, also at full scale: some drivers compile a
@@ -279,7 +306,7 @@ struct Renderer::Impl {
     void drawPicture(const View& view) {
         resize(picture, view.width, view.height, GL_RGBA8);
         asked = monotonicSeconds();
-        drawNow(view, picture.framebuffer.get(), true);
+        drawNow(view, picture.framebuffer.get());
         drawing.set();
     }
 
@@ -288,7 +315,7 @@ struct Renderer::Impl {
         glScissor(0, from, view.width, to - from);
         glEnable(GL_SCISSOR_TEST);
         asked = monotonicSeconds();
-        drawNow(view, aside.framebuffer.get(), true);
+        drawNow(view, aside.framebuffer.get());
         drawing.set();
         glDisable(GL_SCISSOR_TEST);
     }
@@ -318,7 +345,7 @@ struct Renderer::Impl {
     }
 
     /// Draws into a target of `format` and leaves it bound for reading.
-    bool drawOutput(const View& view, GLenum format, bool encode, Problems& problems) {
+    bool drawOutput(const View& view, GLenum format, bool encode, const Settings& with, Problems& problems) {
         if (!drawn) return false;
         const auto refuse = [&](const std::string& what, const std::string& remedy) {
             problems.push_back({{}, 0, {}, what, remedy});
@@ -334,9 +361,41 @@ struct Renderer::Impl {
         resize(output, view.width, view.height, format);
         if (!output.framebuffer)
             return refuse("the GL has no memory for a picture of this size", "use a smaller --size");
-        drawNow(view, output.framebuffer.get(), encode);
+        drawInto(output.framebuffer.get(), view, *drawn, *drawnScene, with, encode);
         glPixelStorei(GL_PACK_ALIGNMENT, 1);
         return true;
+    }
+
+    FloatImage readOnce(const View& view, const Settings& with, Problems& problems) {
+        if (!drawOutput(view, GL_RGBA32F, false, with, problems)) return {};
+        std::vector<float> rgba(std::size_t(view.width) * view.height * 4);
+        glReadPixels(0, 0, view.width, view.height, GL_RGBA, GL_FLOAT, rgba.data());
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        if (!gl::check("reading the picture back", problems)) return {};
+        FloatImage image{view.width, view.height, channelsOf(settings.aov), {}};
+        image.pixels.resize(std::size_t(image.width) * image.height * image.channels);
+        for (int y = 0; y < view.height; ++y) // GL's first row is the lowest
+            for (int x = 0; x < image.width; ++x)
+                std::copy_n(&rgba[(std::size_t(image.height - 1 - y) * image.width + x) * 4], image.channels,
+                            image.at(x, y));
+        return image;
+    }
+
+    /// The mean of pictures that take a stretch of the samples each.
+    FloatImage readInStretches(const View& view, Problems& problems) {
+        const Settings& all = drawnSettings;
+        FloatImage sum;
+        for (int done = 0; done < all.samples && problems.empty(); done += kStretch) {
+            Settings stretch = all;
+            stretch.firstSample = all.firstSample + done;
+            stretch.samples = std::min(kStretch, all.samples - done);
+            FloatImage part = readOnce(view, stretch, problems);
+            const float share = float(stretch.samples) / float(all.samples);
+            if (sum.pixels.empty())
+                sum = {part.width, part.height, part.channels, std::vector<float>(part.pixels.size())};
+            for (std::size_t i = 0; i < part.pixels.size(); ++i) sum.pixels[i] += share * part.pixels[i];
+        }
+        return sum;
     }
 };
 
@@ -420,22 +479,14 @@ double Renderer::drawSeconds() const { return impl_->drawSeconds; }
 unsigned Renderer::version() const { return impl_->version; }
 
 FloatImage Renderer::readOutput(const View& view, Problems& problems) {
-    if (!impl_->drawOutput(view, GL_RGBA32F, false, problems)) return {};
-    std::vector<float> rgba(std::size_t(view.width) * view.height * 4);
-    glReadPixels(0, 0, view.width, view.height, GL_RGBA, GL_FLOAT, rgba.data());
-    glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    if (!gl::check("reading the picture back", problems)) return {};
-    FloatImage image{view.width, view.height, channelsOf(impl_->settings.aov), {}};
-    image.pixels.resize(std::size_t(image.width) * image.height * image.channels);
-    for (int y = 0; y < image.height; ++y) // GL's first row is the lowest
-        for (int x = 0; x < image.width; ++x)
-            std::copy_n(&rgba[(std::size_t(image.height - 1 - y) * image.width + x) * 4], image.channels,
-                        image.at(x, y));
-    return image;
+    return inStretches(impl_->drawnSettings) ? impl_->readInStretches(view, problems)
+                                             : impl_->readOnce(view, impl_->drawnSettings, problems);
 }
 
 Image Renderer::readPicture(const View& view, Problems& problems) {
-    if (!impl_->drawOutput(view, GL_RGBA8, true, problems)) return {};
+    if (impl_->drawn && inStretches(impl_->drawnSettings) && impl_->info.floatTargets)
+        return pictureOf(impl_->readInStretches(view, problems), impl_->drawn->features.linear);
+    if (!impl_->drawOutput(view, GL_RGBA8, true, impl_->drawnSettings, problems)) return {};
     const std::size_t row = std::size_t(view.width) * 4;
     std::vector<std::uint8_t> rgba(row * view.height);
     glReadPixels(0, 0, view.width, view.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());

@@ -47,12 +47,13 @@ void addSearch(const KindCount& kind, Names& names) {
 /// What is known of a kind's shape, and what its casters ask of the shadow models.
 void addShape(const KindCount& kind, Names& names) {
     const std::string type = mapped(kind.type(), std::toupper);
-    const bool convex = shapeRow(kind.kind).convex, estimates = kind.solid && estimated(*kind.solid);
-    names.values[type + "_CONVEX"] = convex;
+    const bool estimates = kind.solid && estimated(*kind.solid);
+    names.values[type + "_CONVEX"] = shapeRow(kind.kind).convex;
     names.values[type + "_BOUNDED"] = shapeRow(kind.kind).extent != nullptr;
+    names.values[type + "_SOLID"] = kind.solid != nullptr;
     names.values[type + "_ESTIMATED"] = estimates;
     names.values["ESTIMATED_CASTERS"] |= int(kind.casters > 0 && estimates);
-    names.values["MARCHED_CASTERS"] |= int(kind.casters > 0 && !convex && !estimates);
+    names.values["MARCHED_CASTERS"] |= int(kind.casters > 0 && kind.solid && !estimates);
 }
 
 /// How distances find the object of a kind that is nearest to a point. Boxes leave out nothing where a shape's distance
