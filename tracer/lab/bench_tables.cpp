@@ -1,4 +1,4 @@
-#include "native/bench_tables.h"
+#include "tracer/lab/bench_tables.h"
 
 #include "tracer/lab/quartiles.h"
 
@@ -48,9 +48,12 @@ Table emptyTable(const BenchPlan& plan, bool gpuTimed) {
 
 /// Median and quartiles, or nothing where nothing was measured.
 void appendQuartiles(const Quartiles& quartiles, bool known, double unit, std::vector<Cell>& row) {
-    for (const double value : {quartiles.low, quartiles.median, quartiles.high})
-        row.push_back(known ? Cell(unit * value) : Cell{});
-    std::swap(row[row.size() - 3], row[row.size() - 2]); // the median comes first
+    const std::size_t at = row.size();
+    row.resize(at + 3);
+    if (!known) return;
+    row[at] = unit * quartiles.median;
+    row[at + 1] = unit * quartiles.low;
+    row[at + 2] = unit * quartiles.high;
 }
 
 /// Words, but the numbers of whole-number settings as numbers: charts draw over them.
@@ -65,11 +68,13 @@ std::vector<Cell> rowOf(const BenchPlan& plan, const ContextCosts& context, std:
         row.push_back(valueCell(plan.axes[i], plan.entries[entry].values[i]));
     const Quartiles frame = quartilesOf(cost.wall);
     const bool measured = !cost.wall.empty();
-    row.push_back(measured ? Cell(1 / frame.median) : Cell{});
+    row.resize(row.size() + 1);
+    if (measured) row.back() = 1 / frame.median;
     appendQuartiles(frame, measured, kMs, row);
     appendQuartiles(quartilesOf(cost.yards), measured, 1, row);
-    appendQuartiles(quartilesOf(cost.cpu), measured, kMs, row);
-    if (gpuTimed) row.push_back(cost.gpu.empty() ? Cell{} : Cell(kMs * quartilesOf(cost.gpu).median));
+    appendQuartiles(quartilesOf(cost.cpu), !cost.cpu.empty(), kMs, row);
+    if (gpuTimed) row.resize(row.size() + 1);
+    if (!cost.gpu.empty()) row.back() = kMs * quartilesOf(cost.gpu).median;
     appendQuartiles(ratioOf(cost.wall, base.wall), measured && !base.wall.empty(), 1, row);
     row.insert(row.end(),
                {Cell(cost.program.compileMs), Cell(kMs * cost.firstSeconds), Cell(double(cost.program.sourceBytes)),
@@ -163,6 +168,11 @@ Environment mergedEnvironment(const std::vector<ContextCosts>& contexts) {
         merged.emplace_back(name, same ? value : all);
     }
     return merged;
+}
+
+Results benchResults(const BenchPlan& plan, const std::vector<ContextCosts>& all,
+                     const std::vector<std::string>& contexts, const std::string& command) {
+    return {"Frames a second", command, mergedEnvironment(all), {benchTable(plan, all)}, benchCharts(plan, contexts)};
 }
 
 } // namespace gnomon
