@@ -205,6 +205,7 @@ void BenchRun::contextLost() {
     gpuFrames_ = 0;
     begun_ = false;
     costs_[current_] = {};
+    leftOut_[current_] = true;
     if (prepared_ == current_) ++prepared_;
 }
 

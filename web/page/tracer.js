@@ -7,6 +7,9 @@ import { fetchCounted } from './load.js';
 /** The states of the shader program, as ProgramState in tracer/render/renderer.h. */
 export const ProgramState = { none: 0, compiling: 1, ready: 2, failed: 3 };
 
+/** What came of a step, as BenchStep in tracer/lab/bench_run.h. */
+export const BenchStep = { working: 0, stepped: 1, finished: 2 };
+
 /**
  * Loads and starts the module.
  * @param report called with each line the user should know of
@@ -31,15 +34,18 @@ export async function startTracer({ report, onBytes }) {
 function wrap(module) {
   const text = (address) => module.UTF8ToString(address);
 
-  // Calls an exported function with JavaScript strings, which live in the module's memory for the call.
-  const withStrings = (name, ...strings) => {
-    const addresses = strings.map((string) => {
-      const size = module.lengthBytesUTF8(string) + 1;
+  // Calls an exported function with JavaScript strings, which live in the module's memory for the call, and numbers.
+  const withStrings = (name, ...values) => {
+    const addresses = [];
+    const given = values.map((value) => {
+      if (typeof value === 'number') return value;
+      const size = module.lengthBytesUTF8(value) + 1;
       const address = module._malloc(size);
-      module.stringToUTF8(string, address, size);
+      module.stringToUTF8(value, address, size);
+      addresses.push(address);
       return address;
     });
-    const answer = module[`_${name}`](...addresses);
+    const answer = module[`_${name}`](...given);
     addresses.forEach(module._free);
     return answer;
   };
@@ -72,7 +78,7 @@ function wrap(module) {
     giveImage: (name, bytes) => text(withBytes('giveImage', name, bytes)),
 
     set: (key, value, place) => text(withStrings('setSetting', key, String(value), place)),
-    settings: () => parseLines(text(module._settingsText())),
+    settings: () => new Map(pairsOf(text(module._settingsText()))),
     urlQuery: () => text(module._urlQuery()),
 
     keyDown: (key) => void withStrings('keyDown', key),
@@ -110,13 +116,37 @@ function wrap(module) {
       return { problems, answers: readback(module._tracedRays(), Float32Array).data };
     },
 
+    /** Frame rates compared: the order of use stands in web/bench_host.cpp, steps answer a BenchStep. */
+    bench: {
+      plan: (scenes, settings, baseline, place) => text(withStrings('benchPlan', scenes, settings, baseline, place)),
+      planned() {
+        const pairs = pairsOf(text(module._benchPlanned()));
+        const of = (name) => pairs.filter(([key]) => key === name).map(([, value]) => value);
+        return { scenes: of('scenes'), values: Object.fromEntries(pairsOf(of('values').join('\n'))), rows: of('rows') };
+      },
+      scene: (json, name) => text(withStrings('benchScene', json, name)),
+      imageNames: () => text(module._benchImageNames()).split('\n').filter(Boolean),
+      image: (name, bytes) => text(withBytes('benchImage', name, bytes)),
+      begin: (clockStep, renderer) => text(withStrings('benchBegin', clockStep, renderer)),
+      leaveOut: (row) => module._benchLeaveOut(row),
+      prepare: () => module._benchPrepare(),
+      start: (rounds, seconds) => module._benchStart(rounds, seconds),
+      race: () => module._benchRace(),
+      row: () => module._benchRow(),
+      drawn: () => module._benchDrawn(),
+      rounds: () => module._benchRounds(),
+      problems: () => text(module._benchProblems()),
+      results: (context, contexts, environment, command) =>
+        JSON.parse(text(withStrings('benchResults', context, contexts, environment, command))),
+      end: () => module._benchEnd(),
+    },
+
     contextLost: () => module._contextLost(),
     contextRestored: () => module._contextRestored(),
   };
 }
 
-/** Lines `key=value` as a Map in their order. */
-function parseLines(lines) {
-  const pairs = lines.split('\n').filter(Boolean);
-  return new Map(pairs.map((line) => [line.slice(0, line.indexOf('=')), line.slice(line.indexOf('=') + 1)]));
+/** Lines `key=value` in their order. */
+function pairsOf(lines) {
+  return lines.split('\n').filter(Boolean).map((line) => [line.slice(0, line.indexOf('=')), line.slice(line.indexOf('=') + 1)]);
 }
