@@ -107,7 +107,7 @@ export async function compare({ tracer, session }, options = {}) {
     for (const name of plan.scenes) await giveScene(name, listed);
     return await session.alone(async () => {
       const step = clockStep();
-      check(bench.begin(step, session.renderer()));
+      check(await session.withContext(() => bench.begin(step, session.renderer())));
       asked.leaveOut.forEach(bench.leaveOut);
       return measure({ bench, session, asked, plan, step });
     });
@@ -139,7 +139,7 @@ async function measure({ bench, session, asked, plan, step }) {
 
   const results = () => {
     const rounds = bench.rounds();
-    const ended = stopped() ? '; interrupted' : rounds < asked.repeats ? `; ended by limit=${asked.limit}` : '';
+    const ended = stopped() ? '; interrupted' : rounds < asked.repeats ? '; ended by the limit' : '';
     const environment = [
       ...environmentOf(session, step),
       ...(leftOut.length ? [['left out', leftOut.join(' · ')]] : []),
