@@ -3,7 +3,7 @@
 // What is drawn, when, and what becomes of the numbers is decided in C++ (tracer/lab/bench_run.h). Here are the loop,
 // which lets the page live between turns, and what only a browser knows.
 
-import { BenchStep } from './tracer.js';
+import { BenchStep, benchOf } from './compare_calls.js';
 import { fetchImage, fetchScene, fetchSceneIndex } from './load.js';
 
 const standardRounds = 15, mostRounds = 10_000;
@@ -92,7 +92,7 @@ let underWay = false;
  * @param page { tracer, session }
  */
 export async function compare({ tracer, session }, options = {}) {
-  const { bench } = tracer;
+  const bench = benchOf(tracer);
   const asked = readOptions(options);
   const check = (problems) => {
     if (problems) throw new Error(problems.trim());

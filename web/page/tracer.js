@@ -7,9 +7,6 @@ import { fetchCounted } from './load.js';
 /** The states of the shader program, as ProgramState in tracer/render/renderer.h. */
 export const ProgramState = { none: 0, compiling: 1, ready: 2, failed: 3 };
 
-/** What came of a step, as BenchStep in tracer/lab/bench_run.h. */
-export const BenchStep = { working: 0, stepped: 1, finished: 2 };
-
 /**
  * Loads and starts the module.
  * @param report called with each line the user should know of
@@ -116,30 +113,10 @@ function wrap(module) {
       return { problems, answers: readback(module._tracedRays(), Float32Array).data };
     },
 
-    /** Frame rates compared: the order of use stands in web/bench_host.cpp, steps answer a BenchStep. */
-    bench: {
-      plan: (scenes, settings, baseline, place) => text(withStrings('benchPlan', scenes, settings, baseline, place)),
-      planned() {
-        const pairs = pairsOf(text(module._benchPlanned()));
-        const of = (name) => pairs.filter(([key]) => key === name).map(([, value]) => value);
-        return { scenes: of('scenes'), values: Object.fromEntries(pairsOf(of('values').join('\n'))), rows: of('rows') };
-      },
-      scene: (json, name) => text(withStrings('benchScene', json, name)),
-      imageNames: () => text(module._benchImageNames()).split('\n').filter(Boolean),
-      image: (name, bytes) => text(withBytes('benchImage', name, bytes)),
-      begin: (clockStep, renderer) => text(withStrings('benchBegin', clockStep, renderer)),
-      leaveOut: (row) => module._benchLeaveOut(row),
-      prepare: () => module._benchPrepare(),
-      start: (rounds, seconds) => module._benchStart(rounds, seconds),
-      race: () => module._benchRace(),
-      row: () => module._benchRow(),
-      drawn: () => module._benchDrawn(),
-      rounds: () => module._benchRounds(),
-      problems: () => text(module._benchProblems()),
-      results: (context, contexts, environment, command) =>
-        JSON.parse(text(withStrings('benchResults', context, contexts, environment, command))),
-      end: () => module._benchEnd(),
-    },
+    /** For parts of the page that load later: calls an export with strings and numbers, or with bytes; answers text or a number. */
+    call: (name, ...values) => withStrings(name, ...values),
+    callForText: (name, ...values) => text(withStrings(name, ...values)),
+    callWithBytes: (name, string, bytes) => text(withBytes(name, string, bytes)),
 
     contextLost: () => module._contextLost(),
     contextRestored: () => module._contextRestored(),
@@ -147,6 +124,6 @@ function wrap(module) {
 }
 
 /** Lines `key=value` in their order. */
-function pairsOf(lines) {
+export function pairsOf(lines) {
   return lines.split('\n').filter(Boolean).map((line) => [line.slice(0, line.indexOf('=')), line.slice(line.indexOf('=') + 1)]);
 }
