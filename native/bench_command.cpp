@@ -1,13 +1,16 @@
 /// gnomon bench: frames a second over depth, shadows, size and whatever else is to be compared.
 #include "native/bench_pictures.h"
-#include "native/bench_tables.h"
 #include "native/commands.h"
 #include "native/environment.h"
+#include "native/lab_command.h"
 #include "native/report.h"
 #include "tracer/clock.h"
+#include "tracer/lab/bench_tables.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
+#include <thread>
 
 namespace gnomon {
 
@@ -70,15 +73,15 @@ std::unique_ptr<Context> makeBenchContext(const std::string& name, Problems& pro
     return context;
 }
 
-std::vector<Loaded> loadScenes(const BenchPlan& plan, Problems& problems) {
-    std::vector<Loaded> scenes;
+std::vector<BenchScene> loadScenes(const BenchPlan& plan, Problems& problems) {
+    std::vector<BenchScene> scenes;
     for (const std::string& name : plan.scenes)
-        if (auto loaded = load(name, problems)) scenes.push_back(std::move(*loaded));
+        if (auto loaded = load(name, problems)) scenes.push_back({std::move(loaded->scene), std::move(loaded->images)});
     return scenes;
 }
 
 /// Of each scene with all that is asked of it: the first thing that does not fit.
-void checkEntries(const BenchPlan& plan, const std::vector<Loaded>& scenes, Problems& problems) {
+void checkEntries(const BenchPlan& plan, const std::vector<BenchScene>& scenes, Problems& problems) {
     for (const BenchEntry& entry : plan.entries)
         if (!poseOf(scenes[entry.scene].scene, entry.settings, problems)) return;
 }
@@ -89,23 +92,33 @@ double deadlineOf(double deadline, std::size_t contextsLeft) {
     return now + std::max(0.0, deadline - now) / double(contextsLeft);
 }
 
-ContextCosts measure(const BenchOptions& options, const BenchPlan& plan, const std::vector<Loaded>& scenes,
+/// Steps until all is done, or the user wants no more.
+template<class Step>
+void stepThrough(LabProgress& progress, Step next) {
+    for (BenchStep step{}; !LabProgress::interrupted() && (step = next()) != BenchStep::Finished;) {
+        if (step == BenchStep::Stepped)
+            progress.step();
+        else
+            std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+}
+
+ContextCosts measure(const BenchOptions& options, const BenchPlan& plan, const std::vector<BenchScene>& scenes,
                      const std::string& name, double deadline, BenchPictures& pictures, Problems& problems) {
     ContextCosts costs{name, {}, {}, 0};
     const auto context = makeBenchContext(name, problems);
     if (!context) return costs;
     costs.environment = environmentOf(*contextNamed(name));
-    BenchLab lab(plan, scenes, *context, problems);
+    BenchRun lab(plan, scenes, {labClock(), processSeconds, 0, !drawnByProcessor(), context->resolver()}, problems);
     if (!problems.empty()) return costs;
     {
         LabProgress progress(plan.entries.size(), name + ": compiled");
-        lab.prepare(progress, problems);
+        stepThrough(progress, [&] { return lab.prepare(problems); });
     }
-    const auto drawn =
-        std::count_if(lab.costs().begin(), lab.costs().end(), [](const BenchCost& cost) { return cost.drawn; });
-    if (drawn > 0 && !LabProgress::interrupted()) {
-        LabProgress progress(std::size_t(drawn) * std::size_t(options.rounds() + 1), name + ": drawn", deadline);
-        lab.race(options.rounds(), deadline, progress);
+    if (const std::size_t drawn = lab.drawn(); drawn > 0 && !LabProgress::interrupted()) {
+        LabProgress progress(drawn * std::size_t(options.rounds() + 1), name + ": drawn", deadline);
+        lab.begin(options.rounds(), deadline);
+        stepThrough(progress, [&] { return lab.race(); });
     }
     if (options.files.writes()) pictures.draw(lab, problems);
     costs.costs = lab.costs();
@@ -133,11 +146,7 @@ void print(const BenchPlan& plan, const ContextCosts& costs) {
 
 int finish(const BenchOptions& options, const BenchPlan& plan, const std::vector<ContextCosts>& all,
            const BenchPictures& pictures, Problems& problems) {
-    Results results{"Frames a second",
-                    commandOf(options, plan),
-                    mergedEnvironment(all),
-                    {benchTable(plan, all)},
-                    benchCharts(plan, options.contexts)};
+    Results results = benchResults(plan, all, options.contexts, commandOf(options, plan));
     results.environment.emplace_back("rounds", roundsText(options, all));
     std::printf("\nTimes are medians, in brackets the quartiles of the rounds (%s).\n",
                 results.environment.back().second.c_str());
@@ -157,7 +166,7 @@ int bench(const BenchOptions& options) {
     checkOptions(options, problems);
     const BenchPlan plan = planBench(options.scenes, options.values, options.baseline, problems);
     if (!problems.empty()) return fail(kCommandLineWrong, problems);
-    const std::vector<Loaded> scenes = loadScenes(plan, problems);
+    const std::vector<BenchScene> scenes = loadScenes(plan, problems);
     if (!problems.empty()) return fail(kInputWrong, problems);
     checkEntries(plan, scenes, problems);
     if (!problems.empty()) return fail(kCommandLineWrong, problems);

@@ -1,8 +1,8 @@
 /// What the rows of `gnomon bench` look like, each beside its baseline.
 #pragma once
 
-#include "native/bench_lab.h"
 #include "tracer/image.h"
+#include "tracer/lab/bench_run.h"
 #include "tracer/lab/results.h"
 
 #include <vector>
@@ -15,7 +15,7 @@ class BenchPictures {
     BenchPictures(const BenchPlan&, std::size_t contexts);
 
     /// Every entry that was drawn in one of them; as many as the user waits for.
-    void draw(BenchLab&, Problems&);
+    void draw(BenchRun&, Problems&);
     /// To the rows of the first table, which are of the entries drawn, in their order.
     void addTo(Results&) const;
 

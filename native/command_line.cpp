@@ -1,5 +1,7 @@
 #include "native/command_line.h"
 
+#include "tracer/render/pose.h"
+
 #include <cstdio>
 
 namespace gnomon {
@@ -61,19 +63,7 @@ std::optional<Settings> readSettings(const Drawing& drawing, Problems& problems,
 }
 
 std::optional<CameraPose> poseOf(const Scene& scene, const Settings& settings, Problems& problems) {
-    CameraPose pose = scene.camera;
-    pose.eye = settings.eye.value_or(pose.eye);
-    pose.target = settings.target.value_or(pose.target);
-    pose.fov = settings.fov.value_or(pose.fov);
-    const std::size_t before = problems.size();
-    if (pose.eye == pose.target)
-        problems.push_back(wrongOption("eye", "the camera looks at its own place", "let --eye and --target differ"));
-    const int lights = int(scene.lights.size());
-    if (settings.aov == Aov::Visibility && settings.light >= lights)
-        problems.push_back(
-            wrongOption("light", scene.name + " has no light " + std::to_string(settings.light),
-                        lights == 0 ? "choose a scene with lights" : "use 0…" + std::to_string(lights - 1)));
-    return problems.size() == before ? std::optional(pose) : std::nullopt;
+    return poseOf(scene, settings, "command line", problems);
 }
 
 std::optional<Loaded> load(const std::string& sceneName, Problems& problems) {

@@ -1,6 +1,7 @@
 #include "native/environment.h"
 
 #include "tracer/gl/gl.h"
+#include "tracer/version.h"
 
 #include <ctime>
 #include <fstream>
@@ -35,8 +36,8 @@ std::string now() {
 Environment environmentOf(ContextKind kind) {
     const gl::Info info = gl::info();
     return {{"date", now()},
-            {"gnomon", GNOMON_VERSION},
-            {"commit", GNOMON_COMMIT},
+            {"gnomon", version()},
+            {"commit", commit()},
             {"context", std::string(nameOf(kind))},
             {"renderer", info.renderer},
             {"gl", info.version},

@@ -53,11 +53,7 @@ std::string listOption(const std::string& name, const std::vector<std::string>& 
     return text;
 }
 
-bool drawnByProcessor() {
-    const std::string renderer = gl::info().renderer;
-    return renderer.find("llvmpipe") != std::string::npos || renderer.find("softpipe") != std::string::npos ||
-           renderer.find("SwiftShader") != std::string::npos;
-}
+bool drawnByProcessor() { return gl::drawnByProcessor(gl::info().renderer); }
 
 double (*labClock())() { return drawnByProcessor() ? processSeconds : monotonicSeconds; }
 

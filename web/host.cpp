@@ -11,6 +11,7 @@
 #include "tracer/render/viewer.h"
 #include "tracer/scene/read_scene.h"
 #include "tracer/shader/library.h"
+#include "web/bench_host.h"
 
 #include <emscripten.h>
 #include <emscripten/html5.h>
@@ -283,10 +284,14 @@ EMSCRIPTEN_KEEPALIVE const int* tracedRays() {
     return hand(answers.width, answers.height, answers.channels, answers.pixels.data());
 }
 
-EMSCRIPTEN_KEEPALIVE void contextLost() { host.viewer->contextLost(); }
+EMSCRIPTEN_KEEPALIVE void contextLost() {
+    host.viewer->contextLost();
+    benchLost();
+}
 EMSCRIPTEN_KEEPALIVE void contextRestored() {
     enableExtensions();
     host.viewer->contextRestored();
+    benchRestored();
 }
 
 } // extern "C"

@@ -217,7 +217,7 @@ TEST_F(Cli, BenchRefusesWhatItDoesNotKnow) {
 
 TEST_F(Cli, BenchKeepsWhatItMeasuredWhereItIsInterrupted) {
     const Answer run = gnomon("bench lite --depth=1 --shadows=off --size=32x24 --repeats=10000 --json=all.json",
-                              "timeout --preserve-status --signal=INT 8 env -u DISPLAY -u WAYLAND_DISPLAY");
+                              "timeout --foreground --preserve-status --signal=INT 8 env -u DISPLAY -u WAYLAND_DISPLAY");
     EXPECT_EQ(run.code, 130) << run.err;
     EXPECT_NE(run.out.find("Interrupted: what was measured is kept."), std::string::npos) << run.out;
     const auto results = nlohmann::json::parse(readText(folder_ / "all.json"));

@@ -1,5 +1,5 @@
 /// What `gnomon bench` draws and shows: every combination of values once, each row beside its baseline.
-#include "native/bench_tables.h"
+#include "tracer/lab/bench_tables.h"
 
 #include <gtest/gtest.h>
 
@@ -92,6 +92,29 @@ TEST(BenchPlan, RefusesWhatItCannotDrawWithTheRemedy) {
               std::string::npos);
 }
 
+TEST(BenchPlan, RefusesSettingsThatNoMeasuredFrameDependsOn) {
+    EXPECT_NE(refusal({{"shadow", "off"}}).find("there is no setting 'shadow'; did you mean 'shadows'?"),
+              std::string::npos);
+    EXPECT_NE(refusal({{"pause", "on"}}).find("pause: no frame that is drawn for measuring depends on it"),
+              std::string::npos);
+    Problems problems;
+    planBench({}, {}, "", problems);
+    EXPECT_EQ(toString(problems), "command line: scenes: there is none; name at least one\n");
+}
+
+TEST(BenchPlan, SaysWhereSettingsWereGivenAndWritesThemAsThere) {
+    Problems problems;
+    const Values values{{"depth", "1,2"}};
+    planBench({"lite"}, values, "depth=3", problems, "compare");
+    EXPECT_EQ(toString(problems),
+              "compare: baseline: depth is never '3' here; add it to depth, or choose one of its values\n");
+}
+
+TEST(BenchPlan, TellsEachRowInWords) {
+    const BenchPlan plan = planned({"pro"}, {{"depth", "1"}, {"shadows", "hard"}, {"glow", "on,off"}, {"size", "8x8"}});
+    EXPECT_EQ(toString(plan, plan.entries.back()), "pro, size 8x8, glow off, depth 1, shadows hard");
+}
+
 BenchCost cost(std::vector<double> seconds) {
     BenchCost cost;
     cost.drawn = true;
@@ -123,6 +146,15 @@ TEST(BenchTables, KeepWhatWasCompiledBeforeTheFirstRoundAndLeaveOutWhatCouldNotB
     EXPECT_EQ(cell(table, 0, "shadows"), Cell("hard"));
     for (const char* key : {"fps", "frame", "frame_low", "ratio"}) EXPECT_EQ(cell(table, 0, key), Cell{}) << key;
     EXPECT_EQ(cell(table, 0, "source"), Cell(7.0));
+}
+
+TEST(BenchTables, LeaveTheCpuOpenWhereTheHostCannotTell) {
+    const BenchPlan plan = planned({"lite"}, {{"depth", "1"}, {"shadows", "off"}});
+    BenchCost known = cost({0.01, 0.02, 0.04});
+    known.cpu.clear();
+    const Table table = benchTable(plan, {{"webgl2-firefox", {}, {known}, 3}});
+    for (const char* key : {"cpu", "cpu_low", "cpu_high"}) EXPECT_EQ(cell(table, 0, key), Cell{}) << key;
+    EXPECT_EQ(cell(table, 0, "frame"), Cell(20.0));
 }
 
 TEST(BenchTables, NameTheContextOfWhatDiffersBetweenThem) {

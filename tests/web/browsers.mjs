@@ -55,23 +55,38 @@ const firefoxPreferences = {
   'toolkit.telemetry.enabled': false,
 };
 
+/** The program of that browser; throws with what to do where there is none. */
+export function programOf(name) {
+  if (!(name in programs)) throw new Error(`there is no browser '${name}' here; use ${Object.keys(programs).join(' or ')}`);
+  const variable = name.toUpperCase();
+  if (!programs[name]) throw new Error(`${name} is not installed; install it, or set ${variable} to its path`);
+  if (!existsSync(programs[name])) throw new Error(`${variable}=${programs[name]}: there is no such program`);
+  return programs[name];
+}
+
 /** A virtual screen on a display number that the X server picks. */
 async function startScreen() {
   const server = spawn('Xvfb', ['-displayfd', '1', '-screen', '0', '1600x1200x24', '-nolisten', 'tcp'], {
     stdio: ['ignore', 'pipe', 'ignore'],
+    detached: true, // Ctrl-C in a terminal is for us, not for it
   });
   const display = await new Promise((resolve, reject) => {
     server.stdout.once('data', (number) => resolve(`:${String(number).trim()}`));
     server.once('error', reject);
     server.once('exit', () => reject(new Error('Xvfb does not start')));
   });
-  return { display, stop: () => server.kill() };
+  const stop = () => server.kill();
+  process.once('exit', stop);
+  return { display, stop: () => (process.off('exit', stop), stop()) };
 }
 
-/** Starts `chromium` or `firefox`, as on a system that asks for little motion where `calm`; close() ends it and removes what it left. */
-export async function launch(name, { calm = false } = {}) {
-  const program = programs[name];
-  if (!program) throw new Error(`${name} is not installed; set ${name.toUpperCase()} to its path`);
+/**
+ * Starts `chromium` or `firefox`; close() ends it and removes what it left.
+ * @param options.calm as on a system that asks for little motion
+ * @param options.handleSIGINT false: Ctrl-C does not end the browser
+ */
+export async function launch(name, { calm = false, handleSIGINT = true } = {}) {
+  const program = programOf(name);
   const profile = await mkdtemp(join(tmpdir(), `gnomon-${name}-`));
   const screen = name === 'firefox' ? await startScreen() : null;
   const settings =
@@ -85,7 +100,7 @@ export async function launch(name, { calm = false } = {}) {
   };
   try {
     const browser = await puppeteer.launch({
-      ...settings, executablePath: program, userDataDir: profile, timeout: patienceMs, protocolTimeout: 3 * patienceMs,
+      ...settings, handleSIGINT, executablePath: program, userDataDir: profile, timeout: patienceMs, protocolTimeout: 3 * patienceMs,
     });
     const close = browser.close.bind(browser);
     browser.close = async () => {

@@ -7,8 +7,8 @@ import { test } from 'node:test';
 import { site } from './server.mjs';
 
 const mostKilobytes = 250;
-
-const later = ['assets', 'report', 'report.html', join('vendor', 'chart.js')];
+// Loads when it is asked for.
+const later = ['assets', 'report', 'report.html', join('vendor', 'chart.js'), ...['.js', '.css', '_dialog.js'].map((end) => join('page', `compare${end}`))];
 
 test(`program, shaders and page are at most ${mostKilobytes} KB when compressed`, async () => {
   const folder = process.env.GNOMON_SITE ?? site;
@@ -20,4 +20,6 @@ test(`program, shaders and page are at most ${mostKilobytes} KB when compressed`
   const kilobytes = sizes.reduce((sum, size) => sum + size, 0) / 1000;
   console.log(`# payload: ${kilobytes.toFixed(1)} KB in ${files.length} files`);
   assert.ok(kilobytes <= mostKilobytes, `${kilobytes.toFixed(1)} KB`);
+  for (const file of files.filter((name) => name.endsWith('.js')))
+    assert.doesNotMatch(await readFile(file, 'utf8'), /from '\.\/compare/, `${file} loads at once what is to load later`);
 });

@@ -16,13 +16,17 @@ const types = {
   '.svg': 'image/svg+xml',
 };
 
+// The page may then have clocks of microseconds.
+const isolation = { 'Cross-Origin-Opener-Policy': 'same-origin', 'Cross-Origin-Embedder-Policy': 'require-corp' };
+
 /**
  * Serves the folder; answers { url, close() }.
  * @param options.path where the page lies, as '/' or '/some/where/'
  * @param options.missing a pattern of paths that are not found
+ * @param options.isolated no other site shares the page's process
  * @param options.plainTypes gives every file but pages and scripts a type that says nothing, as a careless server does
  */
-export async function serve({ folder = process.env.GNOMON_SITE ?? site, path = '/', missing, plainTypes = false } = {}) {
+export async function serve({ folder = process.env.GNOMON_SITE ?? site, path = '/', missing, isolated = false, plainTypes = false } = {}) {
   const server = createServer(async (request, response) => {
     const { pathname } = new URL(request.url, 'http://localhost');
     const inside = pathname.startsWith(path) ? normalize(decodeURIComponent(pathname.slice(path.length - 1))) : null;
@@ -36,6 +40,7 @@ export async function serve({ folder = process.env.GNOMON_SITE ?? site, path = '
         'Content-Type': careless ? 'application/octet-stream' : type,
         'Content-Length': body.length,
         'Cache-Control': 'no-store',
+        ...(isolated ? isolation : {}),
       });
       response.end(body);
     } catch {

@@ -109,6 +109,12 @@ Info info() {
     return info;
 }
 
+bool drawnByProcessor(const std::string& renderer) {
+    for (const char* name : {"llvmpipe", "softpipe", "SwiftShader", "Microsoft Basic Render"})
+        if (renderer.find(name) != std::string::npos) return true;
+    return false;
+}
+
 bool check(const char* where, Problems& problems) {
     bool clean = true;
     // A lost context may answer with errors for ever: look at a few only.
@@ -119,6 +125,15 @@ bool check(const char* where, Problems& problems) {
         problems.push_back({{}, 0, {}, std::string(nameOfError(error)) + " in " + where, {}});
     }
     return clean;
+}
+
+void finish() {
+#ifdef __EMSCRIPTEN__
+    unsigned char pixel[4];
+    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+#else
+    glFinish();
+#endif
 }
 
 } // namespace gnomon::gl

@@ -32,7 +32,14 @@ struct Info {
 /// Of the current context.
 Info info();
 
+/// A driver of that name draws with the processor.
+bool drawnByProcessor(const std::string& renderer);
+
 /// Says of a GL error since the last call what it was and `where`; adds no problem where there is none.
 bool check(const char* where, Problems&);
+
+/// Waits for the last pixel of what was asked for. A framebuffer has to be bound that can be read as RGBA8: a browser
+/// waits for nothing else.
+void finish();
 
 } // namespace gnomon::gl

@@ -450,6 +450,10 @@ bool setFromText(Settings& settings, std::string_view key, std::string_view text
     return !wrong;
 }
 
+std::string spelled(std::string_view place, std::string_view key) {
+    return (place == "command line" ? "--" : "") + std::string(key);
+}
+
 std::string pressHotkey(Settings& settings, std::string_view key) {
     for (const auto& row : settingsTable()) {
         if (key.empty() || (row.next != key && row.previous != key)) continue;

@@ -126,6 +126,9 @@ std::string rangeOf(const SettingRow&);
 /// cannot be. `place` is the problem's file: `command line`, `URL`, ….
 bool setFromText(Settings&, std::string_view key, std::string_view text, std::string_view place, Problems&);
 
+/// As who gives settings at `place` writes the key: `--depth` on the command line.
+std::string spelled(std::string_view place, std::string_view key);
+
 /// Applies a hotkey. Answers what to tell the user (`depth 5`), empty where the key is no setting's.
 std::string pressHotkey(Settings&, std::string_view key);
 

@@ -82,6 +82,9 @@ export function makeApi() {
             return { frames, medianMs: median(times), minMs: Math.min(...times), maxMs: Math.max(...times) };
           }),
 
+        /** @param options see docs/page.md; the module loads when it is first asked for */
+        compare: async (options) => (await import('./compare.js')).compare({ tracer, session }, options),
+
         numerics,
 
         traceRays: (scene, rays) =>

@@ -166,7 +166,7 @@ function connect(tracer, sceneIndex) {
     if (found.measured && !found.holds) say.problem(found.summary);
   });
 
-  return { tracer, session, address, set, load, loadFirst, numerics };
+  return { tracer, session, address, set, load, loadFirst, numerics, sceneNames: scenes.names() };
 }
 
 /** A change by hand: what is wrong with it stands on the page. */
@@ -207,8 +207,15 @@ function listen(page) {
     },
     picture: () => window.gnomon.png(),
     name: () => `gnomon-${session.sceneName}`,
+    compare: () => openCompare(page).catch((error) => say.problem(`The comparison does not load: ${error.message}`)),
     note: say.note,
   });
+}
+
+/** Opens the dialog that compares frame rates; it loads when it is first asked for. */
+async function openCompare(page) {
+  page.showCompare ??= (await import('./compare_dialog.js')).makeCompareDialog(page);
+  (await page.showCompare)();
 }
 
 /** Keeps read-out, panel, buttons and address in step with the tracer, whoever changed it. */

@@ -177,6 +177,10 @@ export function startSession({ tracer, canvas, task, emit }) {
     get frames() {
       return frames;
     },
+    /** There is a graphics context. */
+    get alive() {
+      return alive();
+    },
     /** Nothing loads or compiles, and no script has the pictures to itself. */
     get resting() {
       return alive() && suspended === 0 && imagesAwaited === 0 && tracer.state() === ProgramState.ready;

@@ -1,4 +1,4 @@
-// The row of buttons: pause, link, picture, full screen, help.
+// The row of buttons: pause, link, picture, frame rates, full screen, help.
 
 /** Copies text; browsers without the clipboard interface, or on plain http, still know the old way. */
 async function copy(text) {
@@ -20,12 +20,13 @@ export function toggleFullscreen() {
   return document.documentElement.requestFullscreen?.().catch(() => {});
 }
 
-/** @param actions { pause(), link() → address, picture() → Promise of a PNG data URL, name(), help(), note(text) } */
+/** @param actions { pause(), link() → address, picture() → Promise of a PNG data URL, name(), compare(), help(), note(text) } */
 export function connectTools(actions) {
   const button = (id) => document.getElementById(id);
 
   button('pause').onclick = actions.pause;
   button('keys').onclick = actions.help;
+  button('compare').onclick = actions.compare;
   button('link').onclick = async () => {
     const done = await copy(actions.link());
     actions.note(done ? 'Link copied: it brings back scene, camera and settings' : 'The link stands in the address bar');

@@ -31,15 +31,18 @@ export async function startTracer({ report, onBytes }) {
 function wrap(module) {
   const text = (address) => module.UTF8ToString(address);
 
-  // Calls an exported function with JavaScript strings, which live in the module's memory for the call.
-  const withStrings = (name, ...strings) => {
-    const addresses = strings.map((string) => {
-      const size = module.lengthBytesUTF8(string) + 1;
+  // Calls an exported function with JavaScript strings, which live in the module's memory for the call, and numbers.
+  const withStrings = (name, ...values) => {
+    const addresses = [];
+    const given = values.map((value) => {
+      if (typeof value === 'number') return value;
+      const size = module.lengthBytesUTF8(value) + 1;
       const address = module._malloc(size);
-      module.stringToUTF8(string, address, size);
+      module.stringToUTF8(value, address, size);
+      addresses.push(address);
       return address;
     });
-    const answer = module[`_${name}`](...addresses);
+    const answer = module[`_${name}`](...given);
     addresses.forEach(module._free);
     return answer;
   };
@@ -72,7 +75,7 @@ function wrap(module) {
     giveImage: (name, bytes) => text(withBytes('giveImage', name, bytes)),
 
     set: (key, value, place) => text(withStrings('setSetting', key, String(value), place)),
-    settings: () => parseLines(text(module._settingsText())),
+    settings: () => new Map(pairsOf(text(module._settingsText()))),
     urlQuery: () => text(module._urlQuery()),
 
     keyDown: (key) => void withStrings('keyDown', key),
@@ -110,13 +113,17 @@ function wrap(module) {
       return { problems, answers: readback(module._tracedRays(), Float32Array).data };
     },
 
+    /** For parts of the page that load later: calls an export with strings and numbers, or with bytes; answers text or a number. */
+    call: (name, ...values) => withStrings(name, ...values),
+    callForText: (name, ...values) => text(withStrings(name, ...values)),
+    callWithBytes: (name, string, bytes) => text(withBytes(name, string, bytes)),
+
     contextLost: () => module._contextLost(),
     contextRestored: () => module._contextRestored(),
   };
 }
 
-/** Lines `key=value` as a Map in their order. */
-function parseLines(lines) {
-  const pairs = lines.split('\n').filter(Boolean);
-  return new Map(pairs.map((line) => [line.slice(0, line.indexOf('=')), line.slice(line.indexOf('=') + 1)]));
+/** Lines `key=value` in their order. */
+export function pairsOf(lines) {
+  return lines.split('\n').filter(Boolean).map((line) => [line.slice(0, line.indexOf('=')), line.slice(line.indexOf('=') + 1)]);
 }

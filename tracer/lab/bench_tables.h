@@ -1,7 +1,7 @@
-/// What `gnomon bench` shows of its measurements.
+/// What `gnomon bench` and the page's compare() show of their measurements.
 #pragma once
 
-#include "native/bench_lab.h"
+#include "tracer/lab/bench_run.h"
 #include "tracer/lab/results.h"
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace gnomon {
 
-/// What was measured in one context, as `--context` names it; `costs` as the plan's entries.
+/// What was measured in one context, as `--context` or the page names it; `costs` as the plan's entries.
 struct ContextCosts {
     std::string context;
     Environment environment;
@@ -27,5 +27,9 @@ Table briefTable(const Table& benchTable);
 std::vector<Chart> benchCharts(const BenchPlan&, const std::vector<std::string>& contexts);
 /// One environment for all: what is not the same in every context stands as `osmesa: …; egl: …`.
 Environment mergedEnvironment(const std::vector<ContextCosts>&);
+
+/// All of it; `contexts` are all that the charts are of.
+Results benchResults(const BenchPlan&, const std::vector<ContextCosts>&, const std::vector<std::string>& contexts,
+                     const std::string& command);
 
 } // namespace gnomon

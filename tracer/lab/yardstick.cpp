@@ -1,4 +1,4 @@
-#include "native/yardstick.h"
+#include "tracer/lab/yardstick.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,6 @@ namespace gnomon {
 namespace {
 
 constexpr int kSide = 192;
-constexpr double kLeastSeconds = 0.01; ///< of a measurement
 
 // Frozen: what was measured in yardsticks before loses its meaning with any change of these.
 const char* const kVertex = R"(
@@ -33,7 +32,7 @@ void main() {
 
 } // namespace
 
-Yardstick::Yardstick(double (*clock)(), Problems& problems)
+Yardstick::Yardstick(double (*clock)(), double leastSeconds, Problems& problems)
     : clock_(clock), vertexArray_(gl::makeVertexArray()), target_(gl::makeTarget(kSide, kSide, GL_RGBA8)) {
     const std::string prelude = gl::info().es ? "#version 300 es\nprecision highp float;\n" : "#version 330 core\n";
     for (gl::Program& program : programs_) {
@@ -43,10 +42,17 @@ Yardstick::Yardstick(double (*clock)(), Problems& problems)
         return;
     }
     drawOften(1); // some drivers compile at the first draw
-    times_ = int(std::clamp(std::ceil(kLeastSeconds / drawOften(1)), 1.0, 1000.0));
+    times_ = int(std::clamp(std::ceil(leastSeconds / drawOften(1)), 1.0, 1000.0));
 }
 
 double Yardstick::draw() { return drawOften(times_); }
+
+void Yardstick::forget() {
+    for (gl::Program& program : programs_) program.forget();
+    vertexArray_.forget();
+    target_.framebuffer.forget();
+    target_.color.forget();
+}
 
 double Yardstick::drawOften(int times) {
     glBindVertexArray(vertexArray_.get());
@@ -58,7 +64,7 @@ double Yardstick::drawOften(int times) {
             glUseProgram(program.get());
             glDrawArrays(GL_TRIANGLES, 0, 3);
         }
-    glFinish();
+    gl::finish();
     return (clock_() - start) / times;
 }
 

@@ -1,4 +1,4 @@
-#include "native/bench_tables.h"
+#include "tracer/lab/bench_tables.h"
 
 #include "tracer/lab/quartiles.h"
 
@@ -11,10 +11,40 @@ namespace {
 
 constexpr double kMs = 1e3; // in a second
 
-void appendColumn(const Column& column, Table& table) {
-    table.columns.push_back(column);
-    table.columns.push_back({column.key + "_low", column.title + ", lower quartile", column.unit, "Of the rounds"});
-    table.columns.push_back({column.key + "_high", column.title + ", upper quartile", column.unit, "Of the rounds"});
+/// A measured column; one with quartiles is followed by theirs.
+struct Measure {
+    const char *key, *title, *unit, *help;
+    Kind kind = Kind::None;
+    Better better = Better::Untold;
+    bool quartiles = false;
+};
+constexpr Measure kMeasures[] = {
+    {"fps", "FPS", "1/s", "One over the median frame", Kind::None, Better::Higher},
+    {"frame", "frame", "ms", "Wall clock, from asking for a frame to its last pixel: median of the rounds", Kind::Time,
+     Better::Lower, true},
+    {"frame_yards", "frame", "yardsticks",
+     "The frame beside a fixed picture drawn right before and after it: median of the rounds. By the CPU's time where "
+     "the processor draws. What slows the machine slows both; runs are compared by it",
+     Kind::None, Better::Untold, true},
+    {"cpu", "CPU", "ms", "CPU time of a frame, all threads together: median of the rounds", Kind::Time, Better::Lower,
+     true},
+    {"gpu", "GPU", "ms", "By the GL's own timer: median of the rounds"},
+    {"ratio", "ratio", "", "Of the frame's time to the baseline's in the same round: median of the rounds", Kind::Ratio,
+     Better::Lower, true},
+    {"compile", "compile", "ms", "Compiled, linked and drawn as one pixel, nothing cached"},
+    {"first", "first frame", "ms", "The first frame of full size after that"},
+    {"source", "source", "bytes", "Of the specialised shader", Kind::Count, Better::Lower},
+    {"rounds", "rounds", "", "Measured"},
+    {"passes", "passes", "", "Programs were compiled anew so often for the rounds"},
+};
+
+void appendMeasure(const Measure& measure, const std::string& unit, Table& table) {
+    const std::string key = measure.key, title = measure.title;
+    table.columns.push_back({key, title, unit, measure.help, measure.kind, measure.better});
+    for (const char* side : {"low", "high"})
+        if (measure.quartiles)
+            table.columns.push_back({key + "_" + side, title + (*side == 'l' ? ", lower" : ", upper") + " quartile",
+                                     unit, "Of the rounds"});
 }
 
 Table emptyTable(const BenchPlan& plan, bool gpuTimed) {
@@ -26,35 +56,20 @@ Table emptyTable(const BenchPlan& plan, bool gpuTimed) {
             {key, key, axis.setting->key == "size" ? "pixels" : "", std::string(axis.setting->help)});
     }
     table.keys = int(table.columns.size());
-    table.columns.push_back({"fps", "FPS", "1/s", "One over the median frame", Kind::None, Better::Higher});
-    appendColumn({"frame", "frame", "ms", "Wall clock, from asking for a frame to its last pixel: median of the rounds",
-                  Kind::Time, Better::Lower},
-                 table);
-    appendColumn({"frame_yards", "frame", "yardsticks",
-                  "The frame beside a fixed picture drawn right before and after it: median of the rounds. By the "
-                  "CPU's time where the processor draws. What slows the machine slows both; runs are compared by it"},
-                 table);
-    appendColumn({"cpu", "CPU", "ms", "CPU time of a frame, all threads together: median of the rounds", Kind::Time,
-                  Better::Lower},
-                 table);
-    if (gpuTimed) table.columns.push_back({"gpu", "GPU", "ms", "By the GL's own timer: median of the rounds"});
-    appendColumn({"ratio", "ratio", plan.baselineText + " = 1",
-                  "Of the frame's time to the baseline's in the same round: median of the rounds", Kind::Ratio,
-                  Better::Lower},
-                 table);
-    table.columns.push_back({"compile", "compile", "ms", "Compiled, linked and drawn as one pixel, nothing cached"});
-    table.columns.push_back({"first", "first frame", "ms", "The first frame of full size after that"});
-    table.columns.push_back({"source", "source", "bytes", "Of the specialised shader", Kind::Count, Better::Lower});
-    table.columns.push_back({"rounds", "rounds", "", "Measured"});
-    table.columns.push_back({"passes", "passes", "", "Programs were compiled anew so often for the rounds"});
+    for (const Measure& measure : kMeasures)
+        if (gpuTimed || measure.key != std::string_view("gpu"))
+            appendMeasure(measure, measure.kind == Kind::Ratio ? plan.baselineText + " = 1" : measure.unit, table);
     return table;
 }
 
 /// Median and quartiles, or nothing where nothing was measured.
 void appendQuartiles(const Quartiles& quartiles, bool known, double unit, std::vector<Cell>& row) {
-    for (const double value : {quartiles.low, quartiles.median, quartiles.high})
-        row.push_back(known ? Cell(unit * value) : Cell{});
-    std::swap(row[row.size() - 3], row[row.size() - 2]); // the median comes first
+    const std::size_t at = row.size();
+    row.resize(at + 3);
+    if (!known) return;
+    row[at] = unit * quartiles.median;
+    row[at + 1] = unit * quartiles.low;
+    row[at + 2] = unit * quartiles.high;
 }
 
 /// Words, but the numbers of whole-number settings as numbers: charts draw over them.
@@ -69,11 +84,13 @@ std::vector<Cell> rowOf(const BenchPlan& plan, const ContextCosts& context, std:
         row.push_back(valueCell(plan.axes[i], plan.entries[entry].values[i]));
     const Quartiles frame = quartilesOf(cost.wall);
     const bool measured = !cost.wall.empty();
-    row.push_back(measured ? Cell(1 / frame.median) : Cell{});
+    row.resize(row.size() + 1);
+    if (measured) row.back() = 1 / frame.median;
     appendQuartiles(frame, measured, kMs, row);
     appendQuartiles(quartilesOf(cost.yards), measured, 1, row);
-    appendQuartiles(quartilesOf(cost.cpu), measured, kMs, row);
-    if (gpuTimed) row.push_back(cost.gpu.empty() ? Cell{} : Cell(kMs * quartilesOf(cost.gpu).median));
+    appendQuartiles(quartilesOf(cost.cpu), !cost.cpu.empty(), kMs, row);
+    if (gpuTimed) row.resize(row.size() + 1);
+    if (!cost.gpu.empty()) row.back() = kMs * quartilesOf(cost.gpu).median;
     appendQuartiles(ratioOf(cost.wall, base.wall), measured && !base.wall.empty(), 1, row);
     row.insert(row.end(),
                {Cell(cost.program.compileMs), Cell(kMs * cost.firstSeconds), Cell(double(cost.program.sourceBytes)),
@@ -167,6 +184,11 @@ Environment mergedEnvironment(const std::vector<ContextCosts>& contexts) {
         merged.emplace_back(name, same ? value : all);
     }
     return merged;
+}
+
+Results benchResults(const BenchPlan& plan, const std::vector<ContextCosts>& all,
+                     const std::vector<std::string>& contexts, const std::string& command) {
+    return {"Frames a second", command, mergedEnvironment(all), {benchTable(plan, all)}, benchCharts(plan, contexts)};
 }
 
 } // namespace gnomon

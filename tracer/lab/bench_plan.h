@@ -1,11 +1,14 @@
-/// What `gnomon bench` draws: every combination of scenes and values of settings. No GL.
+/// What `gnomon bench` and the page's compare() draw: every combination of scenes and values of settings. No GL.
 #pragma once
 
-#include "native/command_line.h"
+#include "tracer/problem.h"
+#include "tracer/render/settings.h"
 
 #include <cstddef>
 #include <span>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace gnomon {
@@ -38,11 +41,16 @@ bool takesList(const SettingRow&);
 
 /// `values` are options as they were typed: lists with commas, `all` for every value of a setting that has names.
 /// `baseline` is empty, or `KEY=VALUE,…`: each entry is then told by the one that differs from it in these only. Every
-/// wrong one is a problem.
+/// wrong one is a problem; `place` is where they were given.
 BenchPlan planBench(const std::vector<std::string>& scenes, std::span<const std::pair<std::string, std::string>> values,
-                    const std::string& baseline, Problems&);
+                    const std::string& baseline, Problems&, std::string_view place = "command line");
 
-/// ` --KEY=VALUE,…` for all that was asked for: makes the same plan again.
+/// All that was asked for and what stood in for the rest, in the order of the table: makes the same plan again.
+std::vector<std::pair<std::string, std::string>> valuesOf(const BenchPlan&,
+                                                          std::span<const std::pair<std::string, std::string>> values);
+/// The same as ` --KEY=VALUE,…`.
 std::string optionsOf(const BenchPlan&, std::span<const std::pair<std::string, std::string>> values);
+/// What is drawn, for people: `pro, size 800x600, depth 4, shadows hard`.
+std::string toString(const BenchPlan&, const BenchEntry&);
 
 } // namespace gnomon

@@ -11,12 +11,14 @@ namespace gnomon {
 
 class Yardstick {
   public:
-    /// In the current context, which has to outlive it; `clock` counts the seconds. A problem where the GL does not
-    /// take its shader.
-    Yardstick(double (*clock)(), Problems&);
+    /// In the current context, which has to outlive it; `clock` counts the seconds, and tells so many well. A problem
+    /// where the GL does not take its shader.
+    Yardstick(double (*clock)(), double leastSeconds, Problems&);
 
     /// Seconds of one picture, from asking for it to its last pixel; several are drawn where they are fast.
     double draw();
+    /// Forgets its GL objects, which are gone with a lost context.
+    void forget();
 
   private:
     double drawOften(int times);

@@ -1,0 +1,163 @@
+// Frame rates compared in the page, as `gnomon bench` compares them: a plain C interface over BenchRun for
+// page/compare.js.
+//
+// The order of use: benchPlan; for each of its scenes benchScene, benchImageNames and benchImage; benchBegin;
+// benchPrepare until it is finished; benchStart; benchRace until that is. benchResults at any time after benchBegin,
+// benchEnd at last. Text as in host.cpp. Steps answer 0: ask again after a moment, 1: one more is done, 2: all is done.
+#include "web/bench_host.h"
+
+#include "tracer/clock.h"
+#include "tracer/gl/gl.h"
+#include "tracer/image.h"
+#include "tracer/lab/bench_tables.h"
+#include "tracer/render/pose.h"
+#include "tracer/scene/read_scene.h"
+#include "tracer/version.h"
+
+#include <emscripten.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace {
+
+using namespace gnomon;
+
+struct Bench {
+    BenchPlan plan;
+    std::vector<std::pair<std::string, std::string>> values;
+    std::vector<BenchScene> scenes;
+    std::unique_ptr<BenchRun> run;
+    std::string place;
+    Problems problems;  ///< until the page takes them
+    std::string answer; ///< the text handed out last
+};
+std::unique_ptr<Bench> bench;
+
+const char* give(std::string text) {
+    bench->answer = std::move(text);
+    return bench->answer.c_str();
+}
+
+std::vector<std::string> linesOf(std::string_view text) {
+    std::vector<std::string> lines;
+    while (!text.empty()) {
+        const std::string_view line = text.substr(0, text.find('\n'));
+        lines.emplace_back(line);
+        text.remove_prefix(std::min(line.size() + 1, text.size()));
+    }
+    return lines;
+}
+
+/// Of lines `key=value`.
+std::vector<std::pair<std::string, std::string>> pairsOf(std::string_view text) {
+    std::vector<std::pair<std::string, std::string>> pairs;
+    for (const std::string& line : linesOf(text)) {
+        const std::size_t equals = line.find('=');
+        if (equals != std::string::npos) pairs.emplace_back(line.substr(0, equals), line.substr(equals + 1));
+    }
+    return pairs;
+}
+
+} // namespace
+
+void benchLost() {
+    if (bench && bench->run) bench->run->contextLost();
+}
+
+void benchRestored() {
+    if (bench && bench->run) bench->run->contextRestored(bench->problems);
+}
+
+extern "C" {
+
+/// Scenes' names one a line, settings in lines `key=VALUE,…`.
+EMSCRIPTEN_KEEPALIVE const char* benchPlan(const char* scenes, const char* settings, const char* baseline,
+                                           const char* place) {
+    bench = std::make_unique<Bench>();
+    bench->values = pairsOf(settings);
+    bench->place = place;
+    Problems problems;
+    bench->plan = planBench(linesOf(scenes), bench->values, baseline, problems, place);
+    return give(toString(problems));
+}
+
+/// Scenes, settings with what stood in for those not given, and what each row draws, in words: lines `scenes=NAME`,
+/// `values=KEY=VALUE,…` and `rows=TEXT`.
+EMSCRIPTEN_KEEPALIVE const char* benchPlanned() {
+    std::string lines;
+    for (const std::string& scene : bench->plan.scenes) lines += "scenes=" + scene + '\n';
+    for (const auto& pair : valuesOf(bench->plan, bench->values))
+        lines += "values=" + pair.first + '=' + pair.second + '\n';
+    for (const BenchEntry& entry : bench->plan.entries) lines += "rows=" + toString(bench->plan, entry) + '\n';
+    return give(std::move(lines));
+}
+
+/// The plan's next scene as a scene file's text.
+EMSCRIPTEN_KEEPALIVE const char* benchScene(const char* text, const char* name) {
+    Problems problems;
+    std::optional<Scene> scene = readScene(text, std::string(name) + ".json", problems);
+    if (scene) {
+        scene->name = name;
+        bench->scenes.push_back({std::move(*scene), {}});
+    }
+    return give(toString(problems));
+}
+
+/// Names of the images of the scene given last, one a line.
+EMSCRIPTEN_KEEPALIVE const char* benchImageNames() {
+    std::string names;
+    for (const std::string& name : imagesOf(bench->scenes.back().scene)) names += name + '\n';
+    return give(std::move(names));
+}
+
+EMSCRIPTEN_KEEPALIVE const char* benchImage(const char* name, const std::uint8_t* bytes, int size) {
+    Problems problems;
+    if (std::optional<Image> image = decodeImage(name, {bytes, std::size_t(size)}, problems))
+        bench->scenes.back().images.emplace_back(name, std::move(*image));
+    return give(toString(problems));
+}
+
+/// `clockStep` in seconds, `renderer` as the browser tells it in truth.
+EMSCRIPTEN_KEEPALIVE const char* benchBegin(double clockStep, const char* renderer) {
+    Problems problems;
+    for (const BenchEntry& entry : bench->plan.entries)
+        if (!poseOf(bench->scenes[entry.scene].scene, entry.settings, bench->place, problems)) break;
+    const BenchMeans means{monotonicSeconds, nullptr, clockStep, !gl::drawnByProcessor(renderer), nullptr};
+    if (problems.empty()) bench->run = std::make_unique<BenchRun>(bench->plan, bench->scenes, means, problems);
+    return give(toString(problems));
+}
+
+EMSCRIPTEN_KEEPALIVE void benchLeaveOut(int row) { bench->run->leaveOut(std::size_t(row)); }
+EMSCRIPTEN_KEEPALIVE int benchPrepare() { return int(bench->run->prepare(bench->problems)); }
+/// No round begins later than so many seconds from now.
+EMSCRIPTEN_KEEPALIVE void benchStart(int rounds, double seconds) {
+    bench->run->begin(rounds, monotonicSeconds() + seconds);
+}
+EMSCRIPTEN_KEEPALIVE int benchRace() { return int(bench->run->race()); }
+
+/// The row of the last step, as counted in the plan.
+EMSCRIPTEN_KEEPALIVE int benchRow() { return int(bench->run->current()); }
+EMSCRIPTEN_KEEPALIVE int benchDrawn() { return int(bench->run->drawn()); }
+EMSCRIPTEN_KEEPALIVE int benchRounds() { return bench->run->rounds(); }
+/// What was wrong since the last call.
+EMSCRIPTEN_KEEPALIVE const char* benchProblems() { return give(toString(std::exchange(bench->problems, {}))); }
+
+/// JSON of docs/results.md. Charts are of all `contexts`, one a line, the environment holds lines `name=value`.
+EMSCRIPTEN_KEEPALIVE const char* benchResults(const char* context, const char* contexts, const char* environment,
+                                              const char* command) {
+    Environment known{{"gnomon", version()}, {"commit", commit()}, {"context", context}, {"gl", gl::info().version}};
+    for (auto& pair : pairsOf(environment)) known.push_back(std::move(pair));
+    const ContextCosts costs{context, known, bench->run->costs(), bench->run->rounds()};
+    return give(toJson(benchResults(bench->plan, {costs}, linesOf(contexts), command)));
+}
+
+EMSCRIPTEN_KEEPALIVE void benchEnd() { bench.reset(); }
+
+} // extern "C"

@@ -1,0 +1,194 @@
+// Frame rates over scenes, depth, shadows, size and any other setting, as `gnomon bench` measures them (docs/bench.md).
+//
+// What is drawn, when, and what becomes of the numbers is decided in C++ (tracer/lab/bench_run.h). Here are the loop,
+// which lets the page live between turns, and what only a browser knows.
+
+import { BenchStep, benchOf } from './compare_calls.js';
+import { fetchImage, fetchScene, fetchSceneIndex } from './load.js';
+
+const standardRounds = 15, mostRounds = 10_000;
+const standardSeconds = 150, mostSeconds = 86_400;
+const restoreMs = 30_000; // a browser that has not given the context back by then will not
+const ownOptions = ['scenes', 'baseline', 'repeats', 'limit', 'signal', 'onprogress', 'onround', 'context', 'contexts', 'leaveOut', 'place'];
+
+const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+
+/** Lets the page answer, without the milliseconds that timers are held back for. */
+const breathe = () =>
+  new Promise((resolve) => {
+    const { port1, port2 } = new MessageChannel();
+    port1.onmessage = () => (port1.close(), resolve());
+    port2.postMessage(null);
+  });
+
+/** Seconds that the page's clock can tell apart. */
+function clockStep() {
+  let least = Infinity;
+  for (let i = 0; i < 5; ++i) {
+    const start = performance.now();
+    let now = start;
+    while (now === start) now = performance.now();
+    least = Math.min(least, now - start);
+  }
+  return least / 1000;
+}
+
+/** The browser's name in the column `context`. */
+export function contextName(agent = navigator.userAgent) {
+  const names = [[/Firefox\//, 'firefox'], [/Edg\//, 'edge'], [/OPR\//, 'opera'], [/Chrom(e|ium)\//, 'chromium'], [/Safari\//, 'safari']];
+  return `webgl2-${names.find(([pattern]) => pattern.test(agent))?.[1] ?? 'browser'}`;
+}
+
+function environmentOf(session, step) {
+  return [
+    ['date', `${new Date().toISOString().slice(0, 16).replace('T', ' ')} UTC`],
+    ['renderer', session.renderer()],
+    ['processor', `${navigator.hardwareConcurrency} threads`],
+    ['system', navigator.userAgentData?.platform || navigator.platform],
+    ['browser', navigator.userAgent],
+    ['clock', `tells ${Number((step * 1e6).toPrecision(2))} µs apart`],
+  ];
+}
+
+const textOf = (value) => (Array.isArray(value) ? value.join(',') : String(value));
+
+/** The options with what is not said, checked as the command line does. */
+function readOptions(options) {
+  const place = options.place ?? 'compare';
+  const count = (key, standard, most) => {
+    const value = options[key] ?? standard;
+    if (!(Number.isInteger(value) && value >= 1 && value <= most))
+      throw new Error(`${place}: ${key}: ${value} is out of range; use 1…${most}`);
+    return value;
+  };
+  const scenes = [options.scenes ?? ['lite', 'pro']].flat().flatMap((scene) => (typeof scene === 'string' ? scene.split(',') : [scene]));
+  return {
+    place,
+    scenes: scenes.map((scene) => (typeof scene === 'string' ? { name: scene } : { name: String(scene.name ?? 'script'), text: JSON.stringify(scene) })),
+    values: Object.entries(options).filter(([key]) => !ownOptions.includes(key)).map(([key, value]) => [key, textOf(value)]),
+    baseline: options.baseline ?? '',
+    repeats: count('repeats', standardRounds, mostRounds),
+    limit: count('limit', options.repeats ? mostSeconds : standardSeconds, mostSeconds),
+    context: options.context ?? contextName(),
+    contexts: options.contexts ?? [options.context ?? contextName()],
+    leaveOut: options.leaveOut ?? [],
+    signal: options.signal,
+    onprogress: options.onprogress ?? (() => {}),
+    onround: options.onround ?? (() => {}),
+  };
+}
+
+/** The call that makes the same numbers again. */
+function commandOf({ baseline, repeats, limit }, { scenes, values }) {
+  const words = { scenes: scenes.join(','), ...values, ...(baseline ? { baseline } : {}), repeats, ...(limit < mostSeconds ? { limit } : {}) };
+  const text = (value) => (typeof value === 'number' ? value : `'${value}'`);
+  return `gnomon.compare({ ${Object.entries(words).map(([key, value]) => `${/^\w+$/.test(key) ? key : `'${key}'`}: ${text(value)}`).join(', ')} })`;
+}
+
+let underWay = false;
+
+/**
+ * Measures; answers a promise of an object in the format of docs/results.md. Options: docs/page.md.
+ * @param page { tracer, session }
+ */
+export async function compare({ tracer, session }, options = {}) {
+  const bench = benchOf(tracer);
+  const asked = readOptions(options);
+  const check = (problems) => {
+    if (problems) throw new Error(problems.trim());
+  };
+  if (underWay) throw new Error(`${asked.place}: frame rates are being compared already; wait until that is done`);
+  underWay = true;
+  try {
+    check(bench.plan(asked.scenes.map(({ name }) => name).join('\n'), asked.values.map((pair) => `${pair.join('=')}\n`).join(''), asked.baseline, asked.place));
+    const plan = bench.planned();
+    asked.onprogress({ stage: 'planned', ...plan });
+    const listed = (await fetchSceneIndex()).map(({ name }) => name);
+    for (const name of plan.scenes) await giveScene(name, listed);
+    return await session.alone(async () => {
+      const step = clockStep();
+      check(await session.withContext(() => bench.begin(step, session.renderer())));
+      asked.leaveOut.forEach(bench.leaveOut);
+      return measure({ bench, session, asked, plan, step });
+    });
+  } finally {
+    bench.end();
+    underWay = false;
+  }
+
+  async function giveScene(name, listed) {
+    let { text } = asked.scenes.find((scene) => scene.name === name);
+    if (text === undefined && listed.length && !listed.includes(name))
+      throw new Error(`${asked.place}: scenes: there is no scene '${name}'; there are ${listed.join(', ')}`);
+    text ??= await fetchScene(name);
+    check(bench.scene(text, name));
+    for (const image of bench.imageNames()) check(bench.image(image, await fetchImage(image, () => {})));
+  }
+}
+
+async function measure({ bench, session, asked, plan, step }) {
+  const deadline = performance.now() + asked.limit * 1000;
+  const leftOut = asked.leaveOut.map((row) => `${plan.rows[row]}: left out`);
+  const stopped = () => asked.signal?.aborted ?? false;
+
+  /** What was wrong with a row, which is then not in the table. */
+  const complain = (text) => {
+    leftOut.push(text);
+    asked.onprogress({ stage: 'problem', text });
+  };
+
+  const results = () => {
+    const rounds = bench.rounds();
+    const ended = stopped() ? '; interrupted' : rounds < asked.repeats ? '; ended by the limit' : '';
+    const environment = [
+      ...environmentOf(session, step),
+      ...(leftOut.length ? [['left out', leftOut.join(' · ')]] : []),
+      ['rounds', `${asked.context} ${rounds} of ${asked.repeats}${ended}`],
+    ];
+    const lines = environment.map(([name, value]) => `${name}=${value.replaceAll('\n', ' ')}\n`).join('');
+    return bench.results(asked.context, asked.contexts.join('\n'), lines, commandOf(asked, plan));
+  };
+
+  /** True once there is a context. The row that was drawn when it went is left out: see BenchRun::contextLost(). */
+  const contextBack = async () => {
+    complain(`${plan.rows[bench.row()]}: the graphics context was lost while this was drawn`);
+    const end = performance.now() + restoreMs;
+    while (!session.alive && performance.now() < end) await pause(20);
+    if (!session.alive) complain('the browser does not give the graphics context back');
+    return session.alive;
+  };
+
+  /** Steps until all is done: true; or until the user stops it, or there is nothing to draw with. */
+  const stepThrough = async (stage, all, next) => {
+    const start = performance.now();
+    for (let done = 0; ; ) {
+      if (stopped()) return false;
+      if (!session.alive && !(await contextBack())) return false;
+      const made = next();
+      if (!session.alive) continue;
+      const problems = bench.problems();
+      if (problems) complain(`${plan.rows[bench.row()]}: ${problems.trim()}`);
+      if (made === BenchStep.finished) return true;
+      if (made === BenchStep.working) {
+        await pause(1);
+        continue;
+      }
+      done += 1;
+      const left = ((performance.now() - start) / done) * (all - done);
+      const secondsLeft = Math.max(0, Math.min(left, deadline - performance.now())) / 1000;
+      asked.onprogress({ stage, done, all, secondsLeft, row: plan.rows[bench.row()], number: bench.row() });
+      await breathe();
+    }
+  };
+
+  let rounds = 0;
+  const race = () => {
+    if (bench.rounds() > rounds + 1) asked.onround(results(), (rounds = bench.rounds() - 1));
+    return bench.race();
+  };
+  if (await stepThrough('compiling', plan.rows.length, bench.prepare)) {
+    bench.start(asked.repeats, Math.max(0, deadline - performance.now()) / 1000);
+    await stepThrough('drawing', bench.drawn() * (asked.repeats + 1), race);
+  }
+  return results();
+}

@@ -1,0 +1,31 @@
+// The C interface of web/bench_host.cpp as a JavaScript object; the order of use stands there.
+
+import { pairsOf } from './tracer.js';
+
+/** What came of a step, as BenchStep in tracer/lab/bench_run.h. */
+export const BenchStep = { working: 0, stepped: 1, finished: 2 };
+
+export function benchOf({ call, callForText, callWithBytes }) {
+  return {
+    plan: (scenes, settings, baseline, place) => callForText('benchPlan', scenes, settings, baseline, place),
+    planned() {
+      const pairs = pairsOf(callForText('benchPlanned'));
+      const of = (name) => pairs.filter(([key]) => key === name).map(([, value]) => value);
+      return { scenes: of('scenes'), values: Object.fromEntries(pairsOf(of('values').join('\n'))), rows: of('rows') };
+    },
+    scene: (json, name) => callForText('benchScene', json, name),
+    imageNames: () => callForText('benchImageNames').split('\n').filter(Boolean),
+    image: (name, bytes) => callWithBytes('benchImage', name, bytes),
+    begin: (clockStep, renderer) => callForText('benchBegin', clockStep, renderer),
+    leaveOut: (row) => call('benchLeaveOut', row),
+    prepare: () => call('benchPrepare'),
+    start: (rounds, seconds) => call('benchStart', rounds, seconds),
+    race: () => call('benchRace'),
+    row: () => call('benchRow'),
+    drawn: () => call('benchDrawn'),
+    rounds: () => call('benchRounds'),
+    problems: () => callForText('benchProblems'),
+    results: (context, contexts, environment, command) => JSON.parse(callForText('benchResults', context, contexts, environment, command)),
+    end: () => call('benchEnd'),
+  };
+}
