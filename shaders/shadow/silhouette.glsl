@@ -12,6 +12,9 @@
 #include "ray/bits.glsl"
 #include "shadow/cover.glsl"
 #include "shadow/frame_about.glsl"
+#if SEARCHES
+#include "accel/cone.glsl"
+#endif
 
 LightCone coneTo(Beam beam) {
     mat2x3 frame = frameAbout(beam.ray.direction);
@@ -52,14 +55,23 @@ void hide$Shape(int index, Beam beam, LightCone cone, inout Shade shade) {
     else unite$Shape(shape, cone, beam.normal, own, beam.ray.tMin, shade);
 }
 #endif
+#if $SHAPE_BOUNDED && $SHAPE_SEARCH == HIERARCHY
+const int kSieved$Shape = k$ShapeLoose;
+#elif $SHAPE_BOUNDED
+const int kSieved$Shape = k$ShapeCasters;
+#endif
 #if $SHAPE_BOUNDED
-// Those of 32 casters whose balls the cone does not pass by. A ray that leaves its own convex body never comes back.
-uint in$Shape(int first, int self, LightCone cone) {
+// Covers are asked of what the cone does not pass by, and of nothing else. A ray that leaves its own convex body never comes
+// back.
+bool counts$Shape(int index, int self, LightCone cone) {
+    return index != self && !passesBy(cone, ball$Shape(load$Shape(k$ShapeBase + index * k$ShapeTexels)));
+}
+
+// Those of 32 casters.
+uint in$Shape(int first, int end, int self, LightCone cone) {
     uint sieve = 0u;
-    for (int i = 0; i < min(k$ShapeCasters - first, 32); ++i) {
-        vec4 ball = ball$Shape(load$Shape(k$ShapeBase + (first + i) * k$ShapeTexels));
-        if (first + i != self && !passesBy(cone, ball)) sieve |= 1u << uint(i);
-    }
+    for (int i = 0; i < min(end - first, 32); ++i)
+        if (counts$Shape(first + i, self, cone)) sieve |= 1u << uint(i);
     return sieve;
 }
 #endif
@@ -81,8 +93,22 @@ float visibility(Beam beam) {
     int self$Shape = -1;
 #endif
 #if $SHAPE_BOUNDED
-    for (int first = 0; first < k$ShapeCasters; first += 32) {
-        uint sieve = in$Shape(first, self$Shape, cone);
+#if $SHAPE_SEARCH == HIERARCHY
+    int node$Shape = 0;
+    for (int i = k$ShapeLoose; i <= k$ShapeCount; ++i) {
+        int index = k$ShapeLoose + nextInCone(k$ShapeGrid, k$ShapeNodes, cone, node$Shape);
+        if (index < k$ShapeLoose) break;
+        if (index < k$ShapeCasters && counts$Shape(index, self$Shape, cone)) hide$Shape(index, beam, cone, shade);
+    }
+#endif
+#if $SHAPE_BLOCK
+    bool passed$Shape = blockPassed(k$ShapeBlock, vec3(k$ShapeBlockX, k$ShapeBlockY, k$ShapeBlockZ), cone);
+    int first$Shape = passed$Shape ? k$ShapeLoose : 0;
+#else
+    const int first$Shape = 0;
+#endif
+    for (int first = first$Shape; first < kSieved$Shape; first += 32) {
+        uint sieve = in$Shape(first, kSieved$Shape, self$Shape, cone);
         for (int i = 0; i < 32 && sieve != 0u; ++i) {
             int index = lowestBit(sieve);
             sieve &= sieve - 1u;

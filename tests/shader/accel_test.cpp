@@ -310,6 +310,33 @@ TEST_P(CloudOf, ThrowsTheSameShadowsWithHierarchies) {
     expectShadowsAlike(overGround(shapes), ShadowModel::ConeLinear, 900);
 }
 
+// Unions take the casters in whatever order they are found, which is within what they are off by themselves.
+TEST(Silhouettes, OfACloudAreAlmostTheSameFromAHierarchy) {
+    Settings settings;
+    settings.shadows = ShadowModel::Silhouette;
+    settings.lightRadius = 0.4;
+    const Scene scene = overGround(inACube(300, 0.2));
+    offscreen();
+    Drawing plain(scene, sized(Accel::None, Aov::Visibility, 1, settings)),
+        boxes(scene, sized(Accel::Hierarchy, Aov::Visibility, 1, settings));
+    int several = 0;
+    for (const Shot& shot : {Shot{{2, 3, 4}, {0, 0, 0}}, Shot{{0.1, 0.2, 0.3}, {-1, 0.1, 0.2}, 0, 90}}) {
+        aim(plain, shot);
+        aim(boxes, shot);
+        const FloatImage wanted = plain.output(), got = boxes.output();
+        double most = 0, squares = 0;
+        for (std::size_t i = 0; i < wanted.pixels.size(); ++i) {
+            const double off = std::abs(wanted.pixels[i] - got.pixels[i]);
+            most = std::max(most, off);
+            squares += off * off;
+            several += off > 0;
+        }
+        EXPECT_LT(most, 0.02);
+        EXPECT_LT(std::sqrt(squares / double(wanted.pixels.size())), 0.001);
+    }
+    EXPECT_GT(several, 100) << "somewhere several casters overlap";
+}
+
 // ---- Edges that triangles share, where rays meet both at one distance
 
 TEST(Hierarchies, LeaveAFanOfTrianglesAsItIs) {
