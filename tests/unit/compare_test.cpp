@@ -27,33 +27,38 @@ TEST(Quartiles, RatiosCancelWhatDrifts) {
 }
 
 TEST(Quartiles, NotchesBoundTheRatioOfMedians) {
-    const Ratio ratio = ratioOfMedians({9, 10, 11}, 4, {4, 5, 6}, 16); // notches 1.57 and 0.785
+    const Ratio ratio = ratioOfMedians({{9, 10, 11}, 8, 4}, {{4, 5, 6}, 16, 16}); // notches 1.57 and 0.785
     EXPECT_DOUBLE_EQ(ratio.value, 2);
     EXPECT_DOUBLE_EQ(ratio.low, (10 - 1.57) / (5 + 0.785));
     EXPECT_DOUBLE_EQ(ratio.high, (10 + 1.57) / (5 - 0.785));
-    EXPECT_EQ(ratioOfMedians({1, 1, 1}, 1, {0, 1, 9}, 1).high, std::numeric_limits<double>::infinity());
+    EXPECT_EQ(ratioOfMedians({{1, 1, 1}}, {{0, 1, 9}}).high, std::numeric_limits<double>::infinity());
 }
 
-// What the header promises: of runs that do not differ few are told apart, of those that do by three spreads nearly
-// all.
+// What the header promises: of runs that do not differ few are told apart, however few their rounds; of long ones that
+// do by three spreads nearly all.
 TEST(Quartiles, NotchesRarelyTellLikeRunsApart) {
     std::mt19937 random(1);
     std::normal_distribution<double> noise(0, 1);
-    const auto run = [&](double mean) {
-        std::vector<double> times(15);
+    const auto run = [&](double mean, int rounds) {
+        std::vector<double> times(std::size_t(rounds), 0.0);
         for (double& time : times) time = mean + noise(random);
-        return quartilesOf(times);
+        return Spread{quartilesOf(times), double(rounds), double(rounds)};
     };
-    int alike = 0, unlike = 0;
     constexpr int kPairs = 4000;
-    for (int i = 0; i < kPairs; ++i) {
-        const Ratio same = ratioOfMedians(run(100), 15, run(100), 15),
-                    other = ratioOfMedians(run(103), 15, run(100), 15);
-        alike += same.low > 1 || same.high < 1;
-        unlike += other.low > 1;
+    for (const int rounds : {2, 3, 4, 5, 6, 7, 8, 15}) {
+        int alike = 0, unlike = 0;
+        for (int i = 0; i < kPairs; ++i) {
+            const Ratio same = ratioOfMedians(run(100, rounds), run(100, rounds)),
+                        other = ratioOfMedians(run(103, rounds), run(100, rounds));
+            alike += same.low > 1 || same.high < 1;
+            unlike += other.low > 1;
+        }
+        EXPECT_LT(alike, 0.065 * kPairs) << rounds;
+        EXPECT_GT(alike, 0.02 * kPairs) << rounds;
+        if (rounds == 15) {
+            EXPECT_GT(unlike, 0.99 * kPairs);
+        }
     }
-    EXPECT_LT(alike, 0.05 * kPairs);
-    EXPECT_GT(unlike, 0.99 * kPairs);
 }
 
 /// Rows of scene, depth and a frame with quartiles and yardsticks.

@@ -86,20 +86,24 @@ std::vector<Pair> matchRows(const Table& before, const Table& after, const Keys&
     return pairs;
 }
 
+/// 1 where it is not told.
+double countOf(const std::vector<Cell>& row, std::optional<std::size_t> column) {
+    const double* count = column ? std::get_if<double>(&row[*column]) : nullptr;
+    return count ? *count : 1;
+}
+
 /// A column of times, where it is in one table.
 struct Timed {
     std::size_t median;
     QuartileColumns quartiles;
-    std::optional<std::size_t> rounds;
+    std::optional<std::size_t> rounds, passes;
 
-    std::optional<Quartiles> of(const std::vector<Cell>& row) const {
+    std::optional<Spread> of(const std::vector<Cell>& row) const {
         const double *low = std::get_if<double>(&row[quartiles.low]), *middle = std::get_if<double>(&row[median]),
                      *high = std::get_if<double>(&row[quartiles.high]);
-        return low && middle && high && *middle > 0 ? std::optional(Quartiles{*low, *middle, *high}) : std::nullopt;
-    }
-    double roundsOf(const std::vector<Cell>& row) const {
-        const double* count = rounds ? std::get_if<double>(&row[*rounds]) : nullptr;
-        return count ? *count : 1;
+        if (!low || !middle || !high || *middle <= 0) return std::nullopt;
+        const double all = countOf(row, rounds);
+        return Spread{{*low, *middle, *high}, all, passes ? countOf(row, passes) : all};
     }
 };
 
@@ -107,8 +111,7 @@ std::optional<Timed> timed(const Table& table, const std::string& key) {
     const auto at = columnOf(table, key);
     if (!at) return std::nullopt;
     const auto quartiles = quartileColumns(table, *at);
-    const auto passes = columnOf(table, "passes");
-    return quartiles ? std::optional(Timed{*at, *quartiles, passes ? passes : columnOf(table, "rounds")})
+    return quartiles ? std::optional(Timed{*at, *quartiles, columnOf(table, "rounds"), columnOf(table, "passes")})
                      : std::nullopt;
 }
 
@@ -119,7 +122,7 @@ struct TimedTwice {
     std::optional<Ratio> ratio(const Pair& pair) const {
         const auto was = before.of(*pair.before), is = after.of(*pair.after);
         if (!was || !is) return std::nullopt;
-        return ratioOfMedians(*is, after.roundsOf(*pair.after), *was, before.roundsOf(*pair.before));
+        return ratioOfMedians(*is, *was);
     }
 };
 
@@ -248,8 +251,9 @@ Table compareTimes(const Twins& twins, const Measured& measured, double toleranc
         if (!was || !is || !ratio) continue;
         const Verdict verdict = verdictOf(*ratio, measured.column.better, tolerance);
         std::vector<Cell> row = twins.keyCells(pair);
+        const Quartiles &old = was->quartiles, &now = is->quartiles;
         for (const double value :
-             {was->median, was->low, was->high, is->median, is->low, is->high, ratio->value, ratio->low, ratio->high})
+             {old.median, old.low, old.high, now.median, now.low, now.high, ratio->value, ratio->low, ratio->high})
             row.emplace_back(value);
         row.emplace_back(std::string(wordFor(measured.column, verdict)));
         table.rows.push_back(std::move(row));

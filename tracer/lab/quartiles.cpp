@@ -1,6 +1,7 @@
 #include "tracer/lab/quartiles.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -24,15 +25,18 @@ Quartiles ratioOf(const std::vector<double>& times, const std::vector<double>& b
     return quartilesOf(std::move(ratios));
 }
 
-double notchOf(const Quartiles& quartiles, double rounds) {
-    return 1.57 * (quartiles.high - quartiles.low) / std::sqrt(std::max(1.0, rounds));
+double notchOf(const Spread& spread) {
+    constexpr std::array<double, 6> kOfFew{4.85, 2.37, 2.03, 2.24, 1.79, 1.70}; // of 2 to 7 rounds
+    const bool few = spread.rounds >= 2 && spread.rounds < 8;
+    const double k = few ? kOfFew[std::size_t(spread.rounds) - 2] : 1.57;
+    return k * (spread.quartiles.high - spread.quartiles.low) / std::sqrt(std::max(1.0, spread.independent));
 }
 
-Ratio ratioOfMedians(const Quartiles& times, double rounds, const Quartiles& base, double baseRounds) {
-    const double notch = notchOf(times, rounds), baseNotch = notchOf(base, baseRounds);
-    const double least = base.median - baseNotch;
-    return {times.median / base.median, std::max(0.0, times.median - notch) / (base.median + baseNotch),
-            least > 0 ? (times.median + notch) / least : std::numeric_limits<double>::infinity()};
+Ratio ratioOfMedians(const Spread& times, const Spread& base) {
+    const double median = times.quartiles.median, baseMedian = base.quartiles.median;
+    const double notch = notchOf(times), baseNotch = notchOf(base), least = baseMedian - baseNotch;
+    return {median / baseMedian, std::max(0.0, median - notch) / (baseMedian + baseNotch),
+            least > 0 ? (median + notch) / least : std::numeric_limits<double>::infinity()};
 }
 
 } // namespace gnomon
