@@ -2,13 +2,14 @@
 // page/compare.js.
 //
 // The order of use: benchPlan; for each of its scenes benchScene, benchImageNames and benchImage; benchBegin;
-// benchPrepare until it is finished; benchStart; benchRace until that is. benchResults at any time after benchBegin,
+// benchPrepare until it is finished; benchContinue; benchStart; benchRace until that is. benchResults at any time after benchBegin,
 // benchEnd at last. Text as in host.cpp. Steps answer 0: ask again after a moment, 1: one more is done, 2: all is done.
 #include "web/bench_host.h"
 
 #include "tracer/clock.h"
 #include "tracer/gl/gl.h"
 #include "tracer/image.h"
+#include "tracer/lab/bench_series.h"
 #include "tracer/lab/bench_tables.h"
 #include "tracer/render/pose.h"
 #include "tracer/scene/read_scene.h"
@@ -136,9 +137,18 @@ EMSCRIPTEN_KEEPALIVE const char* benchBegin(double clockStep, const char* render
 
 EMSCRIPTEN_KEEPALIVE void benchLeaveOut(int row) { bench->run->leaveOut(std::size_t(row)); }
 EMSCRIPTEN_KEEPALIVE int benchPrepare() { return int(bench->run->prepare(bench->problems)); }
-/// No round begins later than so many seconds from now.
-EMSCRIPTEN_KEEPALIVE void benchStart(int rounds, double seconds) {
-    bench->run->begin(rounds, monotonicSeconds() + seconds);
+/// With what benchSeries told of an earlier go at the same plan, in another load of the page.
+EMSCRIPTEN_KEEPALIVE const char* benchContinue(const char* series) {
+    const std::vector<BenchCost> earlier = readSeries(series);
+    if (earlier.size() != bench->plan.entries.size()) return "earlier: these are not the rows that are measured here\n";
+    bench->run->continueFrom(earlier);
+    return "";
+}
+EMSCRIPTEN_KEEPALIVE const char* benchSeries() { return give(seriesText(bench->run->costs())); }
+
+/// One go of several, so that each need not compile anew so often. No round begins later than so many seconds from now.
+EMSCRIPTEN_KEEPALIVE void benchStart(int rounds, int goes, double seconds) {
+    bench->run->begin(rounds, std::max(1, kBenchPasses / goes), monotonicSeconds() + seconds);
 }
 EMSCRIPTEN_KEEPALIVE int benchRace() { return int(bench->run->race()); }
 

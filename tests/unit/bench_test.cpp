@@ -1,4 +1,5 @@
 /// What `gnomon bench` draws and shows: every combination of values once, each row beside its baseline.
+#include "tracer/lab/bench_series.h"
 #include "tracer/lab/bench_tables.h"
 
 #include <gtest/gtest.h>
@@ -121,6 +122,30 @@ BenchCost cost(std::vector<double> seconds) {
     cost.cpu = cost.yards = cost.wall = std::move(seconds);
     cost.program.sourceBytes = 7;
     return cost;
+}
+
+TEST(BenchSeries, ComeBackToTheLastBitFromTheirText) {
+    BenchCost some = cost({0.1, 1.0 / 3.0, 2e-9});
+    some.cpu.clear();
+    some.passes = 2;
+    some.firstSeconds = 0.7;
+    some.program.compileMs = 1e3 / 7;
+    const std::string text = seriesText({some, BenchCost{}});
+    const std::vector<BenchCost> read = readSeries(text);
+    ASSERT_EQ(read.size(), 2U);
+    EXPECT_EQ(read[0].wall, some.wall);
+    EXPECT_EQ(read[0].yards, some.yards);
+    EXPECT_TRUE(read[0].cpu.empty());
+    EXPECT_EQ(read[0].passes, 2);
+    EXPECT_EQ(read[0].program.compileMs, some.program.compileMs);
+    EXPECT_TRUE(read[0].drawn);
+    EXPECT_FALSE(read[1].drawn);
+    EXPECT_EQ(seriesText(read), text);
+}
+
+TEST(BenchSeries, AreNoneWhereTheTextIsAnother) {
+    for (const char* text : {"", "x", "1 2 three\n", "1 1 7 0 0 0 99999 0\n", "1 1 7 0 0 0 -1 0 0 0\n", "1 1 7 0 0 0 0 0 0"})
+        EXPECT_TRUE(readSeries(text).empty()) << text;
 }
 
 // The machine slows down from round to round: times say little, ratios of the same round are exact.

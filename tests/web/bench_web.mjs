@@ -1,7 +1,7 @@
 // scripts/bench-web: frame rates over scenes, depth, shadows, size and any other setting, in real browsers.
 //
-// The page measures (web/page/compare.js). Here: the command line, browsers one after the other, what is done on disk
-// after every round, and what is left to do where a row takes the page with it.
+// The page measures (web/page/compare.js). Here: the command line, browsers one after the other, each of them started
+// anew a few times, what is done on disk after every round, and what is left to do where a row takes the page with it.
 import { execFileSync } from 'node:child_process';
 import { existsSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
@@ -13,19 +13,21 @@ import { serve, site } from './server.mjs';
 
 const done = 0, inputWrong = 1, commandLineWrong = 2, noBrowser = 3, interrupted = 130;
 const silentMs = 300_000; // a page that says nothing for so long is dead
-const standardSeconds = 150, mostSeconds = 86_400, mostRounds = 10_000;
+const standardSeconds = 300, mostSeconds = 86_400, mostRounds = 10_000;
+const standardRounds = 15, standardGoes = 3;
 const gnomon = process.env.GNOMON_BINARY ?? fileURLToPath(new URL('../../build/native/gnomon', import.meta.url));
 
 const usage = `usage: scripts/bench-web [SCENE …] [--depth=1,4] [--shadows=off,hard] [--size=400x300] [--KEY=VALUE,… …]
-                         [--browsers=chromium,firefox] [--repeats=N] [--limit=SECONDS] [--baseline=KEY=VALUE,…]
-                         [--json=FILE] [--html=FILE]
+                         [--browsers=chromium,firefox] [--repeats=N] [--goes=N] [--limit=SECONDS]
+                         [--baseline=KEY=VALUE,…] [--json=FILE] [--html=FILE]
 
 Frames a second in the built page (scripts/build web-release): what \`gnomon bench\` measures, in browsers.
   SCENE       scenes' names [lite pro]
   --KEY       any setting takes a list, every combination is a row [--size=800x600 --depth=1,4,8 --shadows=off,hard]
   --browsers  one after the other, without a window [chromium,firefox]
   --repeats   rounds, in each of which every row draws in turn [15]
-  --limit     no round begins later, all browsers together [150; none with --repeats]
+  --goes      starts of each browser among which the rounds are spread: a process keeps its luck [3]
+  --limit     no round begins later, all browsers together [300; none with --repeats]
   --baseline  what each row is divided by [the first row of its scene]
   --json      all numbers; written after every round
   --html      the same as a page; needs the desktop program (scripts/build native-release)
@@ -82,9 +84,10 @@ function readOptions(words) {
   if (help) return { help };
   const browsers = [...new Set(take(values, 'browsers', 'chromium,firefox').split(','))];
   const repeats = countOf(values, 'repeats', mostRounds);
+  const goes = Math.min(countOf(values, 'goes', mostRounds) ?? standardGoes, repeats ?? standardRounds);
   const limit = countOf(values, 'limit', mostSeconds) ?? (repeats ? mostSeconds : standardSeconds);
   const files = { json: checkFile(take(values, 'json')), html: checkFile(take(values, 'html')) };
-  const options = { scenes: scenes.length ? scenes : ['lite', 'pro'], browsers, repeats, limit, baseline: take(values, 'baseline', ''), files, values };
+  const options = { scenes: scenes.length ? scenes : ['lite', 'pro'], browsers, repeats: repeats ?? standardRounds, goes, limit, baseline: take(values, 'baseline', ''), files, values };
   if (files.html && !existsSync(gnomon)) refuse(inputWrong, `${gnomon}: --html needs the desktop program; build it with scripts/build native-release`);
   const folder = process.env.GNOMON_SITE ?? site;
   if (!existsSync(join(folder, 'index.html'))) refuse(inputWrong, `${folder}: there is no page; build it with scripts/build web-release`);
@@ -98,11 +101,11 @@ function readOptions(words) {
 }
 
 /** The command that makes the same numbers again. */
-function commandOf({ browsers, repeats, limit, baseline }, plan) {
+function commandOf({ browsers, repeats, goes, limit, baseline }, plan) {
   const inShell = (word) => (/^[\w./-]+$/.test(word) ? word : `'${word}'`);
   const settings = Object.entries(plan.values).map(([key, value]) => `--${key}=${value}`);
   return ['scripts/bench-web', ...plan.scenes.map(inShell), `--browsers=${browsers.join(',')}`, ...settings,
-    ...(baseline ? [`--baseline=${baseline}`] : []), `--repeats=${repeats ?? 15}`, ...(limit < mostSeconds ? [`--limit=${limit}`] : [])].join(' ');
+    ...(baseline ? [`--baseline=${baseline}`] : []), `--repeats=${repeats}`, ...(goes === Math.min(standardGoes, repeats) ? [] : [`--goes=${goes}`]), ...(limit < mostSeconds ? [`--limit=${limit}`] : [])].join(' ');
 }
 
 // --- what is told -----------------------------------------------------------------------------------------------------
@@ -140,9 +143,9 @@ function print(name, results) {
 
 const contextOf = (name) => `webgl2-${name}`;
 
-/** One go of the page at all rows but `leaveOut`: { results, told, dead: row or undefined }. */
-async function measureOnce(browser, url, options, name, seconds, leaveOut, { onround, onplan, onstop }) {
-  let last, heard = Date.now(), kept, finish;
+/** One go of the page at `asked`: { results, series, refused: text, dead: the last row told }, where it died. */
+async function measureOnce(browser, url, asked, name, { onround, onplan, onstop }) {
+  let last, heard = Date.now(), kept = {}, finish;
   const ended = new Promise((resolve) => (finish = resolve));
   const page = await openPage(browser, `${url}?size=64x48&pause=on&depth=1&shadows=off`, { expectErrors: [/./], ready: false });
   const gone = () => finish({ dead: last });
@@ -153,9 +156,12 @@ async function measureOnce(browser, url, options, name, seconds, leaveOut, { onr
     heard = Date.now();
     if (told.stage === 'planned') onplan(told);
     else if (told.stage === 'problem') complain(`${name}: ${told.text}`);
-    else tell(name, (last = told));
+    else tell(asked.goes > 1 ? `${name}, go ${asked.go} of ${asked.goes}` : name, (last = told));
   });
-  await page.exposeFunction('benchRound', (results) => void onround((kept = results)));
+  await page.exposeFunction('benchRound', (results, series) => {
+    kept = { results, series };
+    onround(results);
+  });
   await page.exposeFunction('benchEnded', (end) => finish(end));
   await page.evaluate((asked) => {
     const stop = new AbortController();
@@ -167,37 +173,53 @@ async function measureOnce(browser, url, options, name, seconds, leaveOut, { onr
       window.benchTold(told);
     };
     window.gnomon.ready
-      .then(() => window.gnomon.compare({ ...asked, signal: stop.signal, onprogress, onround: (results) => void window.benchRound(results) }))
-      .then((results) => window.benchEnded({ results }), (error) => window.benchEnded({ refused: error.message }));
-  }, { ...options.values, scenes: options.scenes, baseline: options.baseline, repeats: options.repeats, limit: Math.max(1, Math.round(seconds)),
-    context: contextOf(name), contexts: options.browsers.map(contextOf), leaveOut, place: 'command line' });
+      .then(() => window.gnomon.compare({ ...asked, signal: stop.signal, onprogress, onround: (...round) => void window.benchRound(...round) }))
+      .then(() => window.benchEnded({}), (error) => window.benchEnded({ refused: error.message }));
+  }, asked);
   onstop(() => page.evaluate(() => window.benchStop()).catch(gone));
   const watch = setInterval(() => Date.now() - heard > silentMs && gone(), 1000);
   const end = await ended;
   clearInterval(watch);
   browser.off('disconnected', gone);
-  return { ...end, results: end.results ?? kept };
+  return { ...end, ...kept };
 }
 
-/** All rows in one browser; a row that takes the page with it is told and left out, and the others begin anew. */
-async function measure(options, url, name, deadline, hooks) {
-  const leaveOut = [];
-  let results;
-  for (;;) {
-    const browser = await launch(name, { handleSIGINT: false });
-    try {
-      const seconds = (deadline - Date.now()) / 1000;
-      const end = await measureOnce(browser, url, options, name, seconds, leaveOut, hooks);
-      if (end.refused) refuse(/there is no scene/.test(end.refused) ? inputWrong : commandLineWrong, end.refused.trim());
-      results = end.results ?? results;
-      if (!('dead' in end) || hooks.stopped()) return results;
-      complain(`${name}: the page died${end.dead ? ` of ${end.dead.row}: this row is left out, the others begin anew` : ''}`);
-      if (!end.dead || Date.now() > deadline) return results;
-      leaveOut.push(end.dead.number);
-    } finally {
-      await Promise.race([browser.close().catch(() => {}), new Promise((resolve) => setTimeout(resolve, 10_000))]);
-    }
+/** With a browser of its own. */
+async function inBrowser(name, work) {
+  const browser = await launch(name, { handleSIGINT: false });
+  try {
+    return await work(browser);
+  } finally {
+    await Promise.race([browser.close().catch(() => {}), new Promise((resolve) => setTimeout(resolve, 10_000))]);
   }
+}
+
+/**
+ * All rows in one browser, which each go starts anew: where a process put a program it stays, and that makes it faster
+ * or slower by up to a fifth. A row that takes the page with it is told and left out, and the others begin the go anew.
+ */
+async function measure(options, url, name, deadline, hooks) {
+  const { scenes, baseline, repeats, goes } = options;
+  const leaveOut = [];
+  const asked = { ...options.values, scenes, baseline, repeats, goes, context: contextOf(name), contexts: options.browsers.map(contextOf), leaveOut, place: 'command line' };
+  let results, earlier;
+  for (let go = 1; go <= goes && !hooks.stopped(); ) {
+    if (go > 1 && Date.now() > deadline) break;
+    const limit = Math.max(1, Math.round((deadline - Date.now()) / 1000 / (goes - go + 1)));
+    const end = await inBrowser(name, (browser) => measureOnce(browser, url, { ...asked, go, limit, earlier }, name, hooks));
+    if (end.refused) refuse(/there is no scene/.test(end.refused) ? inputWrong : commandLineWrong, end.refused.trim());
+    results = end.results ?? results;
+    if (!('dead' in end)) {
+      earlier = end.series;
+      ++go;
+      continue;
+    }
+    if (hooks.stopped()) break;
+    complain(`${name}: the page died${end.dead ? ` of ${end.dead.row}: this row is left out, the others begin anew` : ''}`);
+    if (!end.dead || Date.now() > deadline) break;
+    leaveOut.push(end.dead.number);
+  }
+  return results;
 }
 
 // --- all together -----------------------------------------------------------------------------------------------------

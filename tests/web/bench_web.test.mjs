@@ -23,14 +23,16 @@ describe('scripts/bench-web', () => {
 
   test('writes one file of results of several browsers, with the columns of the desktop', () => {
     const [json, html] = ['all.json', 'all.html'].map((file) => join(folder, file));
-    const { status, stdout, stderr } = run(...tiny, `--browsers=${browserNames.join(',')}`, '--repeats=2', '--baseline=shadows=hard', `--json=${json}`, `--html=${html}`);
+    const { status, stdout, stderr } = run(...tiny, `--browsers=${browserNames.join(',')}`, '--repeats=3', '--goes=2', '--baseline=shadows=hard', `--json=${json}`, `--html=${html}`);
     assert.equal(status, 0, stderr);
-    assert.match(stdout, /Times are medians.*2 of 2/);
+    assert.match(stdout, /Times are medians.*3 of 3/);
     const all = read('all.json');
     const names = browserNames.map((name) => `webgl2-${name}`);
-    assert.equal(all.command, `scripts/bench-web lite --browsers=${browserNames.join(',')} --depth=1 --shadows=off,hard --size=32x24 --baseline=shadows=hard --repeats=2`);
+    assert.equal(all.command, `scripts/bench-web lite --browsers=${browserNames.join(',')} --depth=1 --shadows=off,hard --size=32x24 --baseline=shadows=hard --repeats=3 --goes=2`);
     assert.deepEqual(all.tables[0].rows.map((row) => row.slice(0, 5)), names.flatMap((name) => ['off', 'hard'].map((shadows) => ['lite', name, '32x24', 1, shadows])));
-    assert.equal(all.environment.rounds, names.map((name) => `${name} 2 of 2`).join(', '));
+    assert.equal(all.environment.rounds, names.map((name) => `${name} 3 of 3`).join(', '));
+    const passes = all.tables[0].columns.findIndex(({ key }) => key === 'passes');
+    assert.deepEqual(all.tables[0].rows.map((row) => row[passes]), all.tables[0].rows.map(() => 2), 'a browser of its own for each go');
     assert.equal(all.charts.length, names.length, 'one for each browser');
     const native = join(folder, 'native.json');
     execFileSync(gnomon, ['bench', ...tiny, '--repeats=1', '--baseline=shadows=hard', `--json=${native}`]);

@@ -113,10 +113,29 @@ for (const name of browserNames)
         return { results, rounds };
       }, tiny);
       assert.match(stopped.results.environment.rounds, /of 1000; interrupted$/);
-      assert.equal(stopped.rounds.length, 2);
+      assert.equal(stopped.rounds.length, 3, 'two that were whole, and what there was at the end');
       const columns = stopped.results.tables[0].columns.map(({ key }) => key);
       for (const row of stopped.results.tables[0].rows) assert.ok(row[columns.indexOf('rounds')] >= 2);
       assert.ok(!(await page.evaluate(() => document.body.classList.contains('lost'))));
+    });
+
+    test('goes on in another load of the page with what it measured in this one', async () => {
+      const goes = (options) => page.evaluate(async (asked) => {
+        let series;
+        const results = await window.gnomon.compare({ ...asked, onround: (_, all) => (series = all) });
+        return { series, results };
+      }, { ...tiny, repeats: 3, goes: 2, ...options });
+      const first = await goes({ go: 1 });
+      assert.equal(first.results.environment.rounds, `webgl2-${name} 2 of 3`);
+      await page.reload();
+      await page.evaluate(() => window.gnomon.ready);
+      const second = await goes({ go: 2, earlier: first.series });
+      assert.equal(second.results.environment.rounds, `webgl2-${name} 3 of 3`);
+      for (const row of second.results.tables[0].rows) assert.deepEqual([row[at('rounds')], row[at('passes')]], [3, 2]);
+      const numbers = (series) => series.trim().split('\n').map((line) => line.trim().split(' '));
+      const [before, both] = [numbers(first.series), numbers(second.series)];
+      assert.deepEqual(both.map((line) => line.slice(0, 1).concat(line.slice(2, 6), line.slice(7, 9))), before.map((line) => line.slice(0, 1).concat(line.slice(2, 6), line.slice(7, 9))), 'the earlier frames stand first');
+      assert.match(await refusal({ ...tiny, repeats: 3, goes: 2, go: 2, earlier: '1 2 three' }), /earlier: these are not the rows that are measured here/);
     });
 
     test('goes on without the row that takes the context with it', async () => {

@@ -16,19 +16,19 @@ constexpr double kTurnSeconds = 0.04, kYardSeconds = 0.01;
 constexpr double kTurnSteps = 40, kYardSteps = 20;
 constexpr int kMostFrames = 500;
 
-/// Programs are compiled anew so often, for where a program's code comes to lie in memory changes its times: by up to a
-/// fifth on llvmpipe (docs/bench.md).
-constexpr int kPasses = 3;
+/// A long turn's yardsticks take that share of it, up to so many seconds: a glimpse of the machine says little of a
+/// frame that takes a hundred times as long.
+constexpr double kYardShare = 0.05, kMostYardSeconds = 0.25;
 
-double yardSeconds(const BenchMeans& means) { return std::max(kYardSeconds, kYardSteps * means.clockStep); }
-double turnSeconds(const BenchMeans& means) { return std::max(kTurnSeconds, kTurnSteps * means.clockStep); }
+double leastYardSeconds(const BenchMeans& means) { return std::max(kYardSeconds, kYardSteps * means.clockStep); }
+double leastTurnSeconds(const BenchMeans& means) { return std::max(kTurnSeconds, kTurnSteps * means.clockStep); }
 
 } // namespace
 
 BenchRun::BenchRun(const BenchPlan& plan, const std::vector<BenchScene>& scenes, const BenchMeans& means,
                    Problems& problems)
     : plan_(plan), scenes_(scenes), means_(means), costs_(plan.entries.size()), leftOut_(plan.entries.size()),
-      frames_(plan.entries.size(), 1) {
+      frames_(plan.entries.size(), 1), turnSeconds_(plan.entries.size()) {
     contextRestored(problems);
 }
 
@@ -128,10 +128,21 @@ Image BenchRun::picture(std::size_t entry, glm::ivec2 size, Problems& problems) 
 
 // --- rounds ---------------------------------------------------------------------------------------------------------
 
-void BenchRun::begin(int rounds, double deadline) {
+void BenchRun::continueFrom(const std::vector<BenchCost>& earlier) {
+    for (std::size_t i = 0; i < costs_.size(); ++i) {
+        if (!costs_[i].drawn || !earlier[i].drawn) continue;
+        costs_[i] = earlier[i];
+        earlierRounds_ = std::max(earlierRounds_, int(earlier[i].wall.size()));
+        passes_ = std::max(passes_, earlier[i].passes);
+    }
+    rounds_ = earlierRounds_;
+}
+
+void BenchRun::begin(int rounds, int passes, double deadline) {
     for (std::size_t i = 0; i < costs_.size(); ++i)
         if (costs_[i].drawn) racers_.push_back(i);
     allRounds_ = rounds;
+    allPasses_ = passes;
     deadline_ = deadline;
     round_ = -2; // the one that is not measured is -1
     turn_ = racers_.size();
@@ -144,16 +155,17 @@ BenchStep BenchRun::race() {
         compileNext();
         return BenchStep::Working;
     }
-    if (turn_ == 0) rounds_ = round_ + 1;
+    if (turn_ == 0) rounds_ = earlierRounds_ + round_ + 1;
     // Forth in even rounds and back in odd ones, so that what grows during a round favours nobody.
-    const std::size_t entry = racers_[round_ % 2 == 0 ? turn_ : racers_.size() - 1 - turn_];
+    const bool forth = (earlierRounds_ + round_) % 2 == 0;
+    const std::size_t entry = racers_[forth ? turn_ : racers_.size() - 1 - turn_];
     ++turn_;
     if (costs_[entry].drawn) turn(entry, round_ >= 0);
     return takeGpuTime();
 }
 
 bool BenchRun::nextRound() {
-    const int next = round_ + 1, roundsOfPass = (allRounds_ + kPasses - 1) / kPasses;
+    const int next = round_ + 1, roundsOfPass = (allRounds_ + allPasses_ - 1) / allPasses_;
     const double now = monotonicSeconds();
     if (drawn() == 0 || next >= allRounds_ || (next > 0 && now > deadline_)) return false;
     const bool anew = next > 0 && next % roundsOfPass == 0 && now + prepareSeconds_ < deadline_;
@@ -171,7 +183,8 @@ void BenchRun::turn(std::size_t entry, bool measured) {
     current_ = entry;
     rendererOf(entry).configure(plan_.entries[entry].settings);
     const int frames = frames_[entry];
-    const double before = measured ? yardstick_->draw() : 0;
+    const double yardSeconds = std::min(kYardShare * turnSeconds_[entry], kMostYardSeconds);
+    const double before = measured ? yardstick_->draw(yardSeconds) : 0;
     if (frames > 1) draw(entry); // a fast GPU's first frame after another program's takes longer
     gl::finish();
     const auto cpuSeconds = [&] { return means_.cpu ? means_.cpu() : 0; };
@@ -182,7 +195,8 @@ void BenchRun::turn(std::size_t entry, bool measured) {
     gl::finish();
     const double clock = means_.clock() - clockStart, cpu = cpuSeconds() - cpuStart,
                  wall = monotonicSeconds() - wallStart;
-    const double least = turnSeconds(means_);
+    turnSeconds_[entry] = wall;
+    const double least = leastTurnSeconds(means_);
     if (!measured || wall < 0.5 * least) // what a single frame takes is for the most part waiting on a fast GPU
         frames_[entry] = int(std::clamp(std::ceil(frames * least / wall), 1.0, double(kMostFrames)));
     if (!measured) return;
@@ -190,7 +204,7 @@ void BenchRun::turn(std::size_t entry, bool measured) {
     cost.passes = passes_;
     cost.wall.push_back(wall / frames);
     if (means_.cpu) cost.cpu.push_back(cpu / frames);
-    cost.yards.push_back(clock / frames / (0.5 * (before + yardstick_->draw())));
+    cost.yards.push_back(clock / frames / (0.5 * (before + yardstick_->draw(yardSeconds))));
     gpuFrames_ = timer_ ? frames : 0;
 }
 
@@ -219,7 +233,7 @@ void BenchRun::contextLost() {
 }
 
 void BenchRun::contextRestored(Problems& problems) {
-    yardstick_.emplace(means_.clock, yardSeconds(means_), problems);
+    yardstick_.emplace(means_.clock, leastYardSeconds(means_), problems);
     if (means_.gpuTimed) timer_.emplace(means_.resolver);
     stale_.clear();
     for (std::size_t i = costs_.size(); i-- > 0;)

@@ -40,6 +40,10 @@ struct BenchCost {
     std::vector<double> yards;          ///< BenchMeans::clock beside that of a yardstick, drawn right before and after
 };
 
+/// Programs are compiled anew so often for a measurement, for where a program's code comes to lie in memory changes its
+/// times: by up to a fifth on llvmpipe (docs/bench.md).
+inline constexpr int kBenchPasses = 3;
+
 /// What came of asking for a step: nothing yet, ask again after a moment; one more entry or turn; all is done.
 enum class BenchStep { Working, Stepped, Finished };
 
@@ -54,10 +58,12 @@ class BenchRun {
 
     /// A step for each entry: compiles it and draws it once. What cannot be drawn is told and left out.
     BenchStep prepare(Problems&);
-    /// Rounds in three passes, each of which compiles anew where the time allows. All take turns, in rounds, after one
+    /// Before begin(): what another run measured of the same plan stands before what this one will.
+    void continueFrom(const std::vector<BenchCost>& earlier);
+    /// Rounds in so many passes, each of which compiles anew where the time allows. All take turns, in rounds, after one
     /// round that is not measured. A turn is one frame, or as many as take a while. No round begins after `deadline` on
     /// the monotonic clock, but one is drawn in any case. Then a step of race() for each turn.
-    void begin(int rounds, double deadline);
+    void begin(int rounds, int passes, double deadline);
     BenchStep race();
 
     /// What an entry that was drawn looks like, at a size of its own.
@@ -66,7 +72,7 @@ class BenchRun {
     const std::vector<BenchCost>& costs() const { return costs_; }
     /// Entries that can be drawn.
     std::size_t drawn() const;
-    /// Rounds that were begun and measured.
+    /// Rounds that were begun and measured, with those of earlier runs.
     int rounds() const { return rounds_; }
     /// The entry of the last step.
     std::size_t current() const { return current_; }
@@ -99,7 +105,8 @@ class BenchRun {
     Renderers renderers_;
     std::vector<BenchCost> costs_;
     std::vector<bool> leftOut_;
-    std::vector<int> frames_; ///< of a turn
+    std::vector<int> frames_;          ///< of a turn
+    std::vector<double> turnSeconds_; ///< of the last one
 
     std::size_t current_ = 0;
     bool begun_ = false; ///< the current entry is being compiled
@@ -109,7 +116,8 @@ class BenchRun {
     std::vector<std::size_t> racers_;
     std::vector<std::size_t> stale_; ///< racers to be compiled anew, the next one last
     Renderers before_;               ///< kept meanwhile, so that the new programs lie elsewhere
-    int allRounds_ = 0, round_ = 0, rounds_ = 0, passes_ = 0;
+    int allRounds_ = 0, allPasses_ = 0, round_ = 0, passes_ = 0;
+    int earlierRounds_ = 0, rounds_ = 0; ///< rounds_ with the earlier ones
     double deadline_ = 0;
     std::size_t turn_ = 0;
     int gpuFrames_ = 0; ///< the GPU's time of so many is awaited

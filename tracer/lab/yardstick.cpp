@@ -33,7 +33,8 @@ void main() {
 } // namespace
 
 Yardstick::Yardstick(double (*clock)(), double leastSeconds, Problems& problems)
-    : clock_(clock), vertexArray_(gl::makeVertexArray()), target_(gl::makeTarget(kSide, kSide, GL_RGBA8)) {
+    : clock_(clock), vertexArray_(gl::makeVertexArray()), target_(gl::makeTarget(kSide, kSide, GL_RGBA8)),
+      leastSeconds_(leastSeconds) {
     const std::string prelude = gl::info().es ? "#version 300 es\nprecision highp float;\n" : "#version 330 core\n";
     for (gl::Program& program : programs_) {
         program = gl::Program(prelude + kVertex, prelude + kFragment);
@@ -42,10 +43,13 @@ Yardstick::Yardstick(double (*clock)(), double leastSeconds, Problems& problems)
         return;
     }
     drawOften(1); // some drivers compile at the first draw
-    times_ = int(std::clamp(std::ceil(leastSeconds / drawOften(1)), 1.0, 1000.0));
+    onceSeconds_ = drawOften(1);
 }
 
-double Yardstick::draw() { return drawOften(times_); }
+double Yardstick::draw(double leastSeconds) {
+    const double least = std::max(leastSeconds, leastSeconds_);
+    return drawOften(int(std::clamp(std::ceil(least / onceSeconds_), 1.0, 1000.0)));
+}
 
 void Yardstick::forget() {
     for (gl::Program& program : programs_) program.forget();

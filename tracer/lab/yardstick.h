@@ -15,8 +15,9 @@ class Yardstick {
     /// where the GL does not take its shader.
     Yardstick(double (*clock)(), double leastSeconds, Problems&);
 
-    /// Seconds of one picture, from asking for it to its last pixel; several are drawn where they are fast.
-    double draw();
+    /// Seconds of one picture, from asking for it to its last pixel: the mean of so many as take `leastSeconds` here,
+    /// and those of the constructor.
+    double draw(double leastSeconds = 0);
     /// Forgets its GL objects, which are gone with a lost context.
     void forget();
 
@@ -29,7 +30,7 @@ class Yardstick {
     std::array<gl::Program, 8> programs_;
     gl::VertexArray vertexArray_;
     gl::Target target_;
-    int times_ = 1;
+    double leastSeconds_, onceSeconds_ = 1;
 };
 
 } // namespace gnomon

@@ -9,7 +9,7 @@ import { fetchImage, fetchScene, fetchSceneIndex } from './load.js';
 const standardRounds = 15, mostRounds = 10_000;
 const standardSeconds = 150, mostSeconds = 86_400;
 const restoreMs = 30_000; // a browser that has not given the context back by then will not
-const ownOptions = ['scenes', 'baseline', 'repeats', 'limit', 'signal', 'onprogress', 'onround', 'context', 'contexts', 'leaveOut', 'place'];
+const ownOptions = ['scenes', 'baseline', 'repeats', 'limit', 'signal', 'onprogress', 'onround', 'context', 'contexts', 'leaveOut', 'place', 'go', 'goes', 'earlier'];
 
 const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
@@ -72,10 +72,17 @@ function readOptions(options) {
     context: options.context ?? contextName(),
     contexts: options.contexts ?? [options.context ?? contextName()],
     leaveOut: options.leaveOut ?? [],
+    go: count('go', 1, mostRounds),
+    goes: count('goes', 1, mostRounds),
+    earlier: options.earlier ?? '',
     signal: options.signal,
     onprogress: options.onprogress ?? (() => {}),
     onround: options.onround ?? (() => {}),
   };
+}
+
+function check(problems) {
+  if (problems) throw new Error(problems.trim());
 }
 
 /** The call that makes the same numbers again. */
@@ -94,9 +101,6 @@ let underWay = false;
 export async function compare({ tracer, session }, options = {}) {
   const bench = benchOf(tracer);
   const asked = readOptions(options);
-  const check = (problems) => {
-    if (problems) throw new Error(problems.trim());
-  };
   if (underWay) throw new Error(`${asked.place}: frame rates are being compared already; wait until that is done`);
   underWay = true;
   try {
@@ -139,7 +143,7 @@ async function measure({ bench, session, asked, plan, step }) {
 
   const results = () => {
     const rounds = bench.rounds();
-    const ended = stopped() ? '; interrupted' : rounds < asked.repeats ? '; ended by the limit' : '';
+    const ended = stopped() ? '; interrupted' : rounds < asked.repeats && asked.go === asked.goes ? '; ended by the limit' : '';
     const environment = [
       ...environmentOf(session, step),
       ...(leftOut.length ? [['left out', leftOut.join(' · ')]] : []),
@@ -147,6 +151,12 @@ async function measure({ bench, session, asked, plan, step }) {
     ];
     const lines = environment.map(([name, value]) => `${name}=${value.replaceAll('\n', ' ')}\n`).join('');
     return bench.results(asked.context, asked.contexts.join('\n'), lines, commandOf(asked, plan));
+  };
+
+  const tellRound = () => {
+    const all = results();
+    asked.onround(all, bench.series());
+    return all;
   };
 
   /** True once there is a context. The row that was drawn when it went is left out: see BenchRun::contextLost(). */
@@ -183,12 +193,18 @@ async function measure({ bench, session, asked, plan, step }) {
 
   let rounds = 0;
   const race = () => {
-    if (bench.rounds() > rounds + 1) asked.onround(results(), (rounds = bench.rounds() - 1));
+    if (bench.rounds() > rounds + 1) {
+      rounds = bench.rounds() - 1;
+      tellRound();
+    }
     return bench.race();
   };
   if (await stepThrough('compiling', plan.rows.length, bench.prepare)) {
-    bench.start(asked.repeats, Math.max(0, deadline - performance.now()) / 1000);
-    await stepThrough('drawing', bench.drawn() * (asked.repeats + 1), race);
+    if (asked.earlier) check(bench.continueFrom(asked.earlier));
+    rounds = bench.rounds();
+    const here = Math.max(1, Math.ceil((asked.repeats * asked.go) / asked.goes) - rounds);
+    bench.start(here, asked.goes, Math.max(0, deadline - performance.now()) / 1000);
+    await stepThrough('drawing', bench.drawn() * (here + 1), race);
   }
-  return results();
+  return tellRound();
 }
