@@ -5,11 +5,14 @@
 //            MARCH_STEPS: equal steps of the ball, then bisection: what is thinner than a step may be missed
 //            MARCH_SPHERE: steps as long as the distance, until that is what float32 resolves of the ball
 //            MARCH_CONE: the same, until the pixel's cone, taken to widen from the eye, holds the surface
+//            MARCH_RELAXED: that with steps as long as if the distance went on to change along the ray as it did, taken back
+//            where the balls free of the surface about both ends do not touch
 // surface    the point pulled onto the surface along the gradient; images lie on it as on a floor, in scene units
 // gradient   of an estimate: differences over a tetrahedron of size `reach`
 // Error      t: short of the surface by what the pixel covers, or 2^-20 of the ball's radius where rays start elsewhere; the
 //            point is at most half of that beside it (tests/shader/solid_test.cpp)
-// Source     J. Hart, Sphere Tracing, 1996; J. Amanatides, Ray Tracing with Cones, 1984
+// Source     J. Hart, Sphere Tracing, 1996; J. Amanatides, Ray Tracing with Cones, 1984;
+//            C. Bán and G. Valasek, Automatic Step Size Relaxation in Sphere Tracing, 2023
 struct $Shape {
     int at;
     vec4 ball;
@@ -54,16 +57,36 @@ bool intersect$Shape($Shape solid, Ray ray, float side, inout float t) {
     }
 #else
     bool met = false;
+#if MARCH == MARCH_RELAXED
+    float taken = 0.0;   // the last step
+    float known = 0.0;   // what was free at its start
+    float slope = -1.0;  // of the distance along the ray, as it seems
+#endif
 #if $SHAPE_ESTIMATED
     float before = side == 0.0 ? 1e30 : -1.0; // at its start a ray touches the surface that it leaves
 #endif
     for (int i = 0; i < frame.budget.z && !met; ++i) {
+#if MARCH == MARCH_RELAXED
+        if (s > end && s - taken + known < end) { // what lies between is not known to be free
+            taken -= s - end;
+            s = end;
+        }
+#endif
         if (s > end) return false;
         vec4 field = marched$Shape(solid.at, near.origin + s * ray.direction);
         if (inside == 0.0) inside = field.w < 0.0 ? -1.0 : 1.0;
         float free = inside * field.w;
         float enough = finest;
-#if MARCH == MARCH_CONE
+#if MARCH == MARCH_RELAXED
+        if (abs(free) + known < taken) {
+            s += known - taken;
+            taken = known;
+            slope = -1.0;
+            continue;
+        }
+        if (taken > 0.0) slope = mix(slope, (free - known) / taken, 0.7);
+#endif
+#if MARCH == MARCH_CONE || MARCH == MARCH_RELAXED
         enough = max(enough, 0.5 * frame.cone.x * (near.tHigh + (near.tLow + s)));
 #endif
         // What the ray recedes from, as the surface that it leaves, it does not meet.
@@ -73,7 +96,13 @@ bool intersect$Shape($Shape solid, Ray ray, float side, inout float t) {
 #else
         met = free < enough && inside * dot(field.xyz, ray.direction) < 0.0;
 #endif
+#if MARCH == MARCH_RELAXED
+        known = max(free, enough);
+        taken = known * 2.0 / clamp(1.0 - slope, 1.25, 2.0);
+        if (!met) s += taken;
+#else
         if (!met) s += max(free, enough);
+#endif
     }
     if (!met) return false;
 #endif

@@ -55,7 +55,7 @@ std::vector<Variant> variants(const std::string& sceneName) {
                         settings.direction = direction;
                         add(std::string(row.key) + (direction == Direction::FromSurface ? " a" : " b"));
                     }
-                for (const March march : {March::Steps, March::Sphere, March::Cone}) {
+                for (const March march : {March::Steps, March::Sphere, March::Cone, March::Relaxed}) {
                     settings.march = march;
                     add("march " + std::to_string(int(march)));
                 }

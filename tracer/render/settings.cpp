@@ -27,7 +27,7 @@ std::vector<SettingRow> makeTable() {
     const ChoiceType direction{{"a", "b"},
                                [](const Settings& s) { return int(s.direction); },
                                [](Settings& s, int i) { s.direction = Direction(i); }};
-    const ChoiceType march{{"steps", "sphere", "cone"},
+    const ChoiceType march{{"steps", "sphere", "cone", "relaxed"},
                            [](const Settings& s) { return int(s.march); },
                            [](Settings& s, int i) { s.march = March(i); }};
     const ChoiceType data{{"auto", "block", "texture"},
@@ -67,7 +67,7 @@ std::vector<SettingRow> makeTable() {
         {"march",
          march,
          "Rays",
-         "How rays find distance objects: in equal steps, by spheres, by the cone of a pixel",
+         "How rays find distance objects: in equal steps, by spheres, by the cone of a pixel, by that in longer steps",
          0,
          {},
          {},

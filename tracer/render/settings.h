@@ -20,7 +20,7 @@ namespace gnomon {
 enum class Direction { FromSurface, FromLight };
 
 /// How rays find the surface of a distance object.
-enum class March { Steps, Sphere, Cone };
+enum class March { Steps, Sphere, Cone, Relaxed };
 
 /// Outputs of the shader, see `--aov` in docs/outputs.md.
 enum class Aov { Color, Distance, Position, Normal, Object, Visibility, Work, Steps };

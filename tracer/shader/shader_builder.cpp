@@ -94,6 +94,7 @@ Names namesOf(const Features& f) {
         {"MARCH_STEPS", int(March::Steps)},
         {"MARCH_SPHERE", int(March::Sphere)},
         {"MARCH_CONE", int(March::Cone)},
+        {"MARCH_RELAXED", int(March::Relaxed)},
         {"OUTPUT", int(f.output)},
         {"COLOR", int(Aov::Color)},
         {"DISTANCE", int(Aov::Distance)},
