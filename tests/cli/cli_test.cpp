@@ -98,6 +98,7 @@ TEST_F(Cli, LabIntersectFindsNothingWrongAndWritesItsNumbers) {
     const std::string page = readText(folder_ / "all.html");
     EXPECT_NE(page.find("gnomon-results"), std::string::npos);
     EXPECT_EQ(page.find("http-equiv"), std::string::npos);
+    EXPECT_EQ(gnomon("lab intersect --shapes=triangle --distances=3 --rays=100").code, 0) << "fans are searched by balls";
 }
 
 TEST_F(Cli, LabRefusesWhatItDoesNotKnow) {

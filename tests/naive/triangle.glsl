@@ -12,6 +12,12 @@ Triangle loadTriangle(int at) {
     return Triangle(sceneTexel(at).xyz, sceneTexel(at + 1).xyz, sceneTexel(at + 2).xyz);
 }
 
+// As ours: a fan of many triangles is searched alike, and only the intersectors differ.
+vec4 ballTriangle(Triangle triangle) {
+    vec3 middle = (triangle.a + triangle.b + triangle.c) / 3.0;
+    return vec4(middle, max(max(distance(middle, triangle.a), distance(middle, triangle.b)), distance(middle, triangle.c)));
+}
+
 bool intersectTriangle(Triangle triangle, Ray ray, float side, inout float t) {
     vec3 ab = triangle.b - triangle.a;
     vec3 ac = triangle.c - triangle.a;

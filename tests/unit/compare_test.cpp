@@ -114,8 +114,27 @@ TEST(Compare, MatchesRowsByTheirKeysAndTellsRatiosInYardsticks) {
     EXPECT_EQ(table.rows[1][8], Cell(2.0));
     EXPECT_EQ(table.rows[1].back(), Cell("slower"));
     const std::vector<std::vector<Cell>> summary{{"Bench", "frame", "time", 2.0, 0.0, 1.0, 1.0}};
-    EXPECT_EQ(all.tables.front().rows, summary);
+    std::vector<std::vector<Cell>> counted = all.tables.front().rows;
+    EXPECT_NEAR(std::get<double>(counted.at(0).back()), 1 - 0.95 * 0.95, 1e-12) << "odds of one of two by chance";
+    counted[0].pop_back();
+    EXPECT_EQ(counted, summary);
     EXPECT_EQ(all.environment, (Environment{{"gl", "4.5"}}));
+}
+
+TEST(Compare, TellsHowLikelyChanceAloneMakesSoManyRowsDiffer) {
+    const auto odds = [](int different, int all) {
+        std::vector<std::vector<Cell>> before, after;
+        for (int i = 0; i < all; ++i) {
+            before.push_back(row("a", i, 1, 1));
+            after.push_back(row("a", i, 1, i < different ? 2 : 1));
+        }
+        return std::get<double>(compared(run(before), run(after)).tables.front().rows.at(0).back());
+    };
+    EXPECT_EQ(odds(0, 24), 1);
+    EXPECT_NEAR(odds(1, 24), 1 - std::pow(0.95, 24), 1e-12);
+    EXPECT_NEAR(odds(2, 24), 0.3392, 1e-4) << "binomial";
+    EXPECT_NEAR(odds(24, 24), std::pow(0.05, 24), 1e-12);
+    EXPECT_LT(odds(8, 24), 1e-4);
 }
 
 TEST(Compare, NamesTheRowsThatOnlyOneRunHas) {

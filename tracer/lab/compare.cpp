@@ -189,6 +189,7 @@ struct Twins {
 /// How many rows became what.
 struct Tally {
     std::array<int, 3> rows{}; // as Verdict
+    int noisy = 0;             // rows that noise alone may let seem to differ
     int& operator[](Verdict verdict) { return rows[std::size_t(verdict)]; }
 };
 
@@ -201,15 +202,30 @@ Table summaryTable() {
              {"rows", "rows", "", "Compared"},
              {"improved", "better", "", "Faster, nearer to what is right, or less"},
              {"worsened", "worse", "", "Slower, farther from what is right, or more"},
-             {"same", "the same", "", "Within noise and tolerance"}},
+             {"same", "the same", "", "Within noise and tolerance"},
+             {"chance", "odds", "",
+              "That so many rows or more seem to differ though nothing changed: the intervals miss one time in twenty. "
+              "Rows told by one baseline share its luck, which makes it likelier"}},
             {},
             2};
+}
+
+/// Of so many intervals, each of which misses with the odds of `miss`, that at least `seen` do.
+double oddsOf(int seen, int all, double miss) {
+    double fewer = 0, exactly = std::pow(1 - miss, all);
+    for (int i = 0; i < seen; ++i) {
+        fewer += exactly;
+        exactly *= (all - i) * miss / ((i + 1) * (1 - miss));
+    }
+    return std::clamp(1 - fewer, 0.0, 1.0);
 }
 
 void addSummary(const Table& of, const Column& column, Tally tally, Table& summary) {
     const auto& [improved, worsened, same] = tally.rows;
     summary.rows.push_back({of.title, column.title, std::string(nameOf(column.kind)),
                             double(improved + worsened + same), double(improved), double(worsened), double(same)});
+    const Cell chance = tally.noisy > 0 ? Cell(oddsOf(improved + worsened, tally.noisy, kNotchMiss)) : Cell{};
+    summary.rows.back().push_back(chance);
 }
 
 // --- times -----------------------------------------------------------------------------------------------------------
@@ -258,6 +274,7 @@ Table compareTimes(const Twins& twins, const Measured& measured, double toleranc
         row.emplace_back(std::string(wordFor(measured.column, verdict)));
         table.rows.push_back(std::move(row));
         ++tally[verdict];
+        tally.noisy += ratio->low < ratio->high;
     }
     return table;
 }

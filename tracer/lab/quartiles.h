@@ -28,6 +28,8 @@ struct Spread {
     double independent = 1; ///< of those: rounds of one compilation share its luck
 };
 double notchOf(const Spread&);
+/// So often are two medians of the same told apart by their notches.
+inline constexpr double kNotchMiss = 0.05;
 
 /// A ratio and the interval that noise leaves it.
 struct Ratio {
