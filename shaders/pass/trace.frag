@@ -8,6 +8,7 @@
 #if OUTPUT == STEPS
 #include "sdf/count.glsl"
 #endif
+#include "ray/primary.glsl"
 #include "ray/nearest.glsl"
 #if OUTPUT == COLOR || OUTPUT == WORK || OUTPUT == STEPS
 #if IMAGES
@@ -34,12 +35,6 @@
 #endif
 
 out vec4 outColor;
-
-Ray primaryRay() {
-    vec2 at = 2.0 * gl_FragCoord.xy / frame.canvas.xy - 1.0;
-    vec3 direction = normalize(frame.forward.xyz + at.x * frame.right.xyz + at.y * frame.up.xyz);
-    return Ray(frame.eye.xyz, direction, 0.0, -1, 0.0);
-}
 
 #if OUTPUT == COLOR
 vec4 pixel(Ray ray) {

@@ -77,7 +77,10 @@ bool occluded(Ray ray, float distance) {
 
 Surface surfaceAt(int object, Ray ray, float t) {
 #for Shape in SHAPES
-    if (object < k$ShapeEnd) return surface$Shape(load$Shape(k$ShapeBase + (object - k$ShapeFirst) * k$ShapeTexels), ray, t);
+    if (object < k$ShapeEnd) {
+        int index = k$ShapeCount == 1 ? 0 : object - k$ShapeFirst; // the one place is known before any pixel is drawn
+        return surface$Shape(load$Shape(k$ShapeBase + index * k$ShapeTexels), ray, t);
+    }
 #endfor
     return bareSurface(vec3(0.0), vec3(0.0), 0.0);
 }

@@ -1,19 +1,15 @@
 // Whitted's ray tree in a loop: where a surface both reflects and refracts, the refracted ray waits on a stack with its
 // share and depth, and the loop goes on with the reflected one.
 //
-// Stack   at most one entry a level: depth - 1 entries never overflow. Separate arrays, written before the count grows:
-//         an array of structs with stack[n++].ray = r yields zero rays on Mesa 22.3.
+// Stack   three entries at every depth: what waits lies in registers of every pixel, and seven would take 77 of a GPU's 128 (docs/results.md).
+//         A ray of a deeper tree may lose its entry to another; when its turn comes, the way to it is traced anew from the eye, unseen: one pixel in
+//         600 of `pro` at depth 8 ever does. Separate arrays, written apart from their index: an array of structs with
+//         stack[n++].ray = r yields zero rays on Mesa 22.3
 // Pencil  each ray carries the width its pixel has grown to and the angle it still grows by; curved mirrors widen it
-// Source  T. Whitted, An Improved Illumination Model for Shaded Display, 1980; pencils after T. Akenine-Möller et al.,
-//         Texture Level of Detail Strategies for Real-Time Ray Tracing, Ray Tracing Gems 2019
-#if RAY_STACK
-const int kMaxRays = 255; // all nodes of a binary tree of the largest depth
-// A greater depth may stand in the frame block while the program with the larger stack compiles.
-int deepest() { return min(frame.limits.x, kRayStack + 1); }
-#else
-const int kMaxRays = 8;
-int deepest() { return frame.limits.x; }
-#endif
+// Source  T. Whitted, An Improved Illumination Model for Shaded Display, 1980; the way back without a stack after S. Laine,
+//         Restart Trail for Stackless BVH Traversal, 2010; pencils after T. Akenine-Möller et al., Texture Level of Detail
+//         Strategies for Real-Time Ray Tracing, Ray Tracing Gems 2019
+#include "ray/primary.glsl"
 
 struct Path {
     vec3 share;   // of this ray in the pixel
@@ -22,28 +18,68 @@ struct Path {
     float spread; // of the pencil, radians
 };
 
-#if RAY_STACK
+Path primaryPath(float pixelAngle) { return Path(vec3(1.0), 1, 0.0, pixelAngle); }
+
+#if REFRACTION
+#include "ray/bits.glsl"
+
+const int kMaxRays = 2040; // all nodes of a binary tree of the largest depth, each traced anew as often as its depth may ask
+const uint kRayStack = 3u;
 vec3 stackOrigin[kRayStack];
 vec3 stackDirection[kRayStack];
-vec3 stackShare[kRayStack];
-uint stackPencil[kRayStack]; // width and spread, the upper half of each: the two digits that a level of detail needs
+uvec2 stackShare[kRayStack]; // 21 bits a channel
+uint stackPencil[kRayStack]; // width and spread, the upper half of each
 int stackTag[kRayStack]; // self, depth and side in one: each entry's numbers are registers of every pixel
 
-void pushRay(inout int size, Ray ray, Path path) {
-    stackOrigin[size] = ray.origin;
-    stackDirection[size] = ray.direction;
-    stackShare[size] = path.share;
-    stackPencil[size] = (floatBitsToUint(path.width) & 0xFFFF0000u) | (floatBitsToUint(path.spread) >> 16);
-    stackTag[size] = (ray.self << 5) | (path.depth << 1) | int(ray.side > 0.0);
-    ++size;
+// The way through the tree, in one register: of a surface at depth d bit d says that its refracted ray is still to come, bit
+// 8 + d that this ray, not the reflected one, is on the way. From bit 16 on the depth of the surface whose refracted ray is
+// traced anew, 0 for none.
+uint waitingIn(uint trail) { return trail & 0xFFu; }
+int soughtIn(uint trail) { return int(trail >> 16); }
+
+const float kShareSteps = 1048576.0;
+
+// A path as the stack holds it, whether its ray waits or is traced anew: its share to a millionth, of the pencil the two digits
+// that a level of detail needs.
+float upperHalf(float x) { return uintBitsToFloat(floatBitsToUint(x) & 0xFFFF0000u); }
+Path storable(Path path) {
+    vec3 share = floor(path.share * kShareSteps + 0.5) / kShareSteps;
+    return Path(share, path.depth, upperHalf(path.width), upperHalf(path.spread));
 }
 
-void popRay(inout int size, out Ray ray, out Path path) {
-    --size;
-    int tag = stackTag[size];
-    ray = rayFrom(stackOrigin[size], stackDirection[size], tag >> 5, (tag & 1) == 1 ? 1.0 : -1.0);
-    path = Path(stackShare[size], (tag >> 1) & 15, uintBitsToFloat(stackPencil[size] & 0xFFFF0000u), uintBitsToFloat(stackPencil[size] << 16));
+uint slotOf(int depth) { return uint(depth) % kRayStack; }
+
+// `path` is that of the ray, one deeper than the surface that it leaves.
+void pushRay(inout uint trail, Ray ray, Path path) {
+    int depth = path.depth - 1;
+    uint slot = slotOf(depth);
+    stackOrigin[slot] = ray.origin;
+    stackDirection[slot] = ray.direction;
+    uvec3 share = uvec3(path.share * kShareSteps);
+    stackShare[slot] = uvec2(share.r | share.g << 21, share.g >> 11 | share.b << 10);
+    stackPencil[slot] = floatBitsToUint(path.width) | (floatBitsToUint(path.spread) >> 16);
+    stackTag[slot] = (ray.self << 5) | (path.depth << 1) | int(ray.side > 0.0);
+    trail = (trail | 1u << depth) & ~(256u << depth);
 }
+
+// The deepest ray that waits, or the primary ray again where that one has lost its entry.
+void popRay(inout uint trail, float pixelAngle, out Ray ray, out Path path) {
+    int depth = highestBit(waitingIn(trail));
+    uint slot = slotOf(depth);
+    int tag = stackTag[slot];
+    bool kept = ((tag >> 1) & 15) == depth + 1;
+    trail = (trail & 0xFFFFu & ~(1u << depth)) | 256u << depth | (kept ? 0u : uint(depth) << 16);
+    ray = primaryRay();
+    path = primaryPath(pixelAngle);
+    if (kept) {
+        uvec2 bits = stackShare[slot];
+        vec3 share = vec3(bits.x & 0x1FFFFFu, bits.x >> 21 | (bits.y & 0x3FFu) << 11, bits.y >> 10) / kShareSteps;
+        ray = rayFrom(stackOrigin[slot], stackDirection[slot], tag >> 5, (tag & 1) == 1 ? 1.0 : -1.0);
+        path = Path(share, depth + 1, uintBitsToFloat(stackPencil[slot] & 0xFFFF0000u), uintBitsToFloat(stackPencil[slot] << 16));
+    }
+}
+#else
+const int kMaxRays = 8;
 #endif
 
 float largest(vec3 v) { return max(v.r, max(v.g, v.b)); }
@@ -67,19 +103,24 @@ vec3 reflectance(Material material, float cosine, vec2 uv, vec2 reach) {
 
 vec3 traceTree(Ray ray, float pixelAngle) {
     vec3 color = vec3(0.0);
-    Path path = Path(vec3(1.0), 1, 0.0, pixelAngle);
-#if RAY_STACK
-    int waiting = 0;
+    Path path = primaryPath(pixelAngle);
+#if REFRACTION
+    uint trail = 0u;
 #endif
     for (int i = 0; i < kMaxRays; ++i) {
         bool follow = false;
         float t;
         int object = nearestHit(ray, t);
+        vec3 share = path.share;
+#if REFRACTION
+        bool again = path.depth <= soughtIn(trail); // what it sees has been added
+        if (again) share = vec3(0.0);
+#endif
 #if GLOWS
-        color += path.share * glowAlong(ray, t);
+        color += share * glowAlong(ray, t);
 #endif
         if (object < 0) {
-            color += path.share * skyColor(ray.direction, path.spread);
+            color += share * skyColor(ray.direction, path.spread);
         } else {
             Surface surface = surfaceAt(object, ray, t);
             Material material = loadMaterial(materialOf(object));
@@ -107,15 +148,13 @@ vec3 traceTree(Ray ray, float pixelAngle) {
             }
 #endif
             vec3 incoming = ray.direction;
-            vec3 share = path.share;
             float width = path.width;
 #if REFLECTION
-            if (material.optics != kPlain && path.depth < deepest()) {
+            if (material.optics != kPlain && path.depth < frame.limits.x) {
                 float side = outside ? 1.0 : -1.0;
                 float facingRatio = max(-dot(incoming, normal), 0.0);
                 vec3 mirror = reflectance(material, facingRatio, uv, reach);
                 float bend = 2.0 * path.width * surface.curvature / cosine;
-                ++path.depth;
 #if REFRACTION
                 if (material.optics == kDielectric) {
                     float eta = outside ? 1.0 / material.ior : material.ior;
@@ -125,19 +164,26 @@ vec3 traceTree(Ray ray, float pixelAngle) {
                     } else {
                         // Schlick's formula wants the angle on the thinner side.
                         if (!outside) mirror = fresnel(material.f0, sqrt(k));
-                        vec3 through = share * (1.0 - mirror);
+                        vec3 through = path.share * (1.0 - mirror);
                         if (largest(through) >= frame.options.x) {
                             vec3 bent = normalize(eta * incoming + (eta * facingRatio - sqrt(k)) * normal);
-                            Ray refracted = rayFrom(surface.point, bent, object, -side);
                             float lens = abs(1.0 - eta) * path.width * surface.curvature / cosine;
-                            pushRay(waiting, refracted, Path(through, path.depth, path.width, path.spread * eta + lens));
+                            Ray refracted = rayFrom(surface.point, bent, object, -side);
+                            Path onward = storable(Path(through, path.depth + 1, path.width, path.spread * eta + lens));
+                            if (!again) {
+                                pushRay(trail, refracted, onward);
+                            } else if ((trail & 256u << path.depth) != 0u) {
+                                ray = refracted;
+                                path = onward;
+                                follow = true;
+                            }
                         }
                     }
                 }
 #endif
-                path.share = share * mirror;
-                if (largest(path.share) >= frame.options.x) {
-                    path.spread += bend;
+                vec3 mirrorShare = path.share * mirror;
+                if (!follow && largest(mirrorShare) >= frame.options.x) {
+                    path = Path(mirrorShare, path.depth + 1, path.width, path.spread + bend);
                     ray = rayFrom(surface.point, mirrored(incoming, normal, facing), object, side);
                     follow = true;
                 }
@@ -147,9 +193,9 @@ vec3 traceTree(Ray ray, float pixelAngle) {
             color += share * shade(material, surface, object, facing, normal, -incoming, tint, share, width);
         }
         if (follow) continue;
-#if RAY_STACK
-        if (waiting == 0) break;
-        popRay(waiting, ray, path);
+#if REFRACTION
+        if (waitingIn(trail) == 0u) break;
+        popRay(trail, pixelAngle, ray, path);
 #else
         break;
 #endif

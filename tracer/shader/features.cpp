@@ -16,11 +16,6 @@ constexpr double kBallCost = 0.3;
 /// Bits of the sieve.
 constexpr int kMostSieved = 24;
 
-/// Entries of the stack for trees of that depth. The depth itself stays a uniform; two sizes, since a GPU holds the
-/// stack in registers of every pixel (docs/results.md), and a shader for each depth would compile at every press of a
-/// key.
-int stackFor(int depth) { return depth <= 4 ? 3 : 7; }
-
 /// What a search takes a ray, in boxes: the objects that it asks, and what leads to them.
 double costOf(Search search, const Hierarchy& hierarchy, int objects) {
     switch (search) {
@@ -108,7 +103,6 @@ Features featuresOf(const Scene& scene, const Settings& settings, int maxBlockTe
     for (std::size_t i = 0; i < used.size(); ++i)
         if (used[i]) addMaterial(scene.materials[i], images, settings, features);
     features.reflection = features.conductors || features.refraction || features.coats;
-    features.rayStack = features.refraction ? stackFor(settings.depth) : 0;
     features.cubemap = !scene.background.cubemap.empty();
     features.shadows = features.lights > 0 ? settings.shadows : ShadowModel::Off;
     features.fromLight = features.shadows != ShadowModel::Off && settings.direction == Direction::FromLight;

@@ -37,7 +37,6 @@ struct Features {
     std::vector<KindCount> shapes; ///< kinds drawn, in the order of ShapeKind
     int materials = 0, lights = 0, glows = 0, images = 0;
     std::vector<int> colorSlots, normalSlots, maskSlots; ///< of the images, by what materials in use take from them
-    int rayStack = 0; ///< entries: for the tree of the chosen depth where a surface both reflects and refracts, else 0
     bool reflection = false, refraction = false, coats = false, conductors = false;
     bool cubemap = false, linear = false;
     ShadowModel shadows = ShadowModel::Off;

@@ -83,7 +83,6 @@ Names namesOf(const Features& f) {
         {"LINEAR", f.linear},
         {"LIGHTS", f.lights},
         {"GLOWS", f.glows},
-        {"RAY_STACK", f.rayStack},
         {"DATA_BLOCK", f.dataBlock},
         {"SHADOWS", f.shadows != ShadowModel::Off},
         {"SHADOW_RAYS", shadowRow(f.shadows).rays},
@@ -353,7 +352,6 @@ ShaderSource build(std::string_view pass, const Features& features, bool constan
     if (constants) {
         for (const auto& [name, value] : constantsOf(features))
             builder.generate("const int " + name + " = " + std::to_string(value) + ";");
-        if (features.rayStack > 0) builder.generate("const int kRayStack = " + std::to_string(features.rayStack) + ";");
     }
     builder.include(pass);
     return builder.take();
