@@ -37,6 +37,11 @@ BlockWalk enterBlock(BlockRay ray, vec3 cells) {
     return BlockWalk(passes ? vec3(-1.0) : clamp(floor(ray.origin + s / ray.perCell), vec3(0.0), cells - 1.0), s);
 }
 
+// The walk has begun, and its next cell lies outside.
+bool leftBlock(vec3 cells, BlockWalk walk) {
+    return walk.cell.x > -1.5 && (any(lessThan(walk.cell, vec3(0.0))) || any(greaterThanEqual(walk.cell, cells)));
+}
+
 int nextInBlock(int at, vec3 cells, Ray ray, float t, int self, inout BlockWalk walk) {
     vec4 corner = sceneTexel(at);
     vec3 size = sceneTexel(at + 1).xyz;

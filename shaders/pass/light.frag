@@ -14,6 +14,7 @@
 #endif
 #include "ray/nearest.glsl"
 #include "shade/lights.glsl"
+#include "shade/light_fraction.glsl"
 
 uniform sampler2D receivers;
 uniform sampler2D normals;

@@ -31,6 +31,7 @@
 #elif OUTPUT == VISIBILITY
 #if LIGHTS
 #include "shade/lights.glsl"
+#include "shade/light_fraction.glsl"
 #endif
 #endif
 

@@ -28,28 +28,34 @@ bool meets$Shape(int index, Ray ray, inout float t) {
 }
 #endfor
 
-// Object nearest along the ray, -1 where there is none; t is its distance.
-int nearestHit(Ray ray, out float t) {
-    t = kFar;
+// Object nearest along the ray and nearer than t, which then is its distance; -1 where there is none. For `shadow` the first
+// that is found among those that cast one.
+int nearestHit(Ray ray, bool shadow, inout float t) {
     int nearest = -1;
 #for Shape in SHAPES
 #if $SHAPE_SEARCHED
     Search$Shape search$Shape = start$Shape(ray);
     for (int i = 0; i <= k$ShapeCount; ++i) {
         int index = next$Shape(search$Shape, ray, t);
-        if (index < 0) break;
         float limit = uintBitsToFloat(floatBitsToUint(t) + 1u); // a hit at the same distance counts
-        if (meets$Shape(index, ray, limit) && (limit < t || k$ShapeFirst + index < nearest)) {
-            t = limit;
+        bool asked = index >= 0 && (!shadow || index < k$ShapeCasters);
+        if (asked && meets$Shape(index, ray, limit) && (limit < t || k$ShapeFirst + index < nearest)) {
+            t = shadow ? 0.0 : limit; // what is in the way ends the other searches, too
             nearest = k$ShapeFirst + index;
         }
+        if (ended$Shape(search$Shape) || index < 0 || (shadow && nearest >= 0)) break;
     }
 #else
     for (int i = 0; i < k$ShapeCount; ++i)
-        if (meets$Shape(i, ray, t)) nearest = k$ShapeFirst + i;
+        if ((!shadow || i < k$ShapeCasters) && meets$Shape(i, ray, t)) nearest = k$ShapeFirst + i;
 #endif
 #endfor
     return nearest;
+}
+
+int nearestHit(Ray ray, out float t) {
+    t = kFar;
+    return nearestHit(ray, false, t);
 }
 
 #if SHADOW_RAYS
@@ -57,21 +63,7 @@ bool occluded(Ray ray, float distance) {
 #if OUTPUT == WORK
     ++work.z;
 #endif
-    float t = distance;
-#for Shape in CASTERS
-#if $SHAPE_SEARCHED
-    Search$Shape search$Shape = start$Shape(ray);
-    for (int i = 0; i <= k$ShapeCount; ++i) {
-        int index = next$Shape(search$Shape, ray, t);
-        if (index < 0) break;
-        if (index < k$ShapeCasters && meets$Shape(index, ray, t)) return true;
-    }
-#else
-    for (int i = 0; i < k$ShapeCasters; ++i)
-        if (meets$Shape(i, ray, t)) return true;
-#endif
-#endfor
-    return false;
+    return nearestHit(ray, true, distance) >= 0;
 }
 #endif
 

@@ -1,15 +1,20 @@
 // Whitted's ray tree in a loop: where a surface both reflects and refracts, the refracted ray waits on a stack with its
 // share and depth, and the loop goes on with the reflected one.
 //
-// Stack   three entries at every depth: what waits lies in registers of every pixel, and seven would take 77 of a GPU's 128 (docs/results.md).
-//         A ray of a deeper tree may lose its entry to another; when its turn comes, the way to it is traced anew from the eye, unseen: one pixel in
-//         600 of `pro` at depth 8 ever does. Separate arrays, written apart from their index: an array of structs with
-//         stack[n++].ray = r yields zero rays on Mesa 22.3
+// Stack   three entries at every depth: what waits lies in registers of every pixel, and seven keep a GPU from 8 waves. A ray of
+//         a deeper tree may lose its entry to another; when its turn comes, the way to it is traced anew from the eye, unseen: one
+//         pixel in 600 of `pro` at depth 8 ever needs that. Separate arrays, written apart from their index: an array of structs
+//         with stack[n++].ray = r yields zero rays on Mesa 22.3
 // Pencil  each ray carries the width its pixel has grown to and the angle it still grows by; curved mirrors widen it
 // Source  T. Whitted, An Improved Illumination Model for Shaded Display, 1980; the way back without a stack after S. Laine,
 //         Restart Trail for Stackless BVH Traversal, 2010; pencils after T. Akenine-Möller et al., Texture Level of Detail
 //         Strategies for Real-Time Ray Tracing, Ray Tracing Gems 2019
 #include "ray/primary.glsl"
+#if SHADOWS_IN_TREE
+#include "ray/shadow_rays.glsl"
+#elif LIGHTS
+#include "shade/light_fraction.glsl"
+#endif
 
 struct Path {
     vec3 share;   // of this ray in the pixel
@@ -23,7 +28,7 @@ Path primaryPath(float pixelAngle) { return Path(vec3(1.0), 1, 0.0, pixelAngle);
 #if REFRACTION
 #include "ray/bits.glsl"
 
-const int kMaxRays = 2040; // all nodes of a binary tree of the largest depth, each traced anew as often as its depth may ask
+const int kMaxTurns = 2041; // all nodes of a binary tree of the largest depth, each traced anew as often as its depth may ask
 const uint kRayStack = 3u;
 vec3 stackOrigin[kRayStack];
 vec3 stackDirection[kRayStack];
@@ -79,7 +84,7 @@ void popRay(inout uint trail, float pixelAngle, out Ray ray, out Path path) {
     }
 }
 #else
-const int kMaxRays = 8;
+const int kMaxTurns = 9; // a ray at each depth, and the last surface's shadow rays
 #endif
 
 float largest(vec3 v) { return max(v.r, max(v.g, v.b)); }
@@ -107,10 +112,20 @@ vec3 traceTree(Ray ray, float pixelAngle) {
 #if REFRACTION
     uint trail = 0u;
 #endif
-    for (int i = 0; i < kMaxRays; ++i) {
-        bool follow = false;
+#if SHADOWS_IN_TREE
+    ShadowRays shadows;
+    shadows.lit.counting = 0u;
+    bool ahead = true; // a ray of the tree is to be met
+#endif
+    for (int i = 0; i < kMaxTurns; ++i) {
         float t;
+#if SHADOWS_IN_TREE
+        int object = nearestPastShadows(ray, ahead, shadows, color, t);
+        if (!ahead) break;
+#else
         int object = nearestHit(ray, t);
+#endif
+        bool follow = false;
         vec3 share = path.share;
 #if REFRACTION
         bool again = path.depth <= soughtIn(trail); // what it sees has been added
@@ -189,15 +204,33 @@ vec3 traceTree(Ray ray, float pixelAngle) {
                 }
             }
 #endif
+            color += share * material.own * tint;
+#if LIGHTS
             // After the next ray, so that what only that ray needs holds no registers while shadow rays run.
-            color += share * shade(material, surface, object, facing, normal, -incoming, tint, share, width);
+            Lit lit = litBy(material, surface.point, facing, normal, -incoming, tint, share);
+#if SHADOWS_IN_TREE
+            shadows = ShadowRays(lit, surface.point, object, outside ? 1.0 : -1.0);
+#else
+            while (lit.counting != 0u) {
+                vec3 adds;
+                Light light = loadLight(nextLight(lit, adds));
+                color += adds * lightFraction(surface, object, light, width);
+            }
+#endif
+#endif
         }
         if (follow) continue;
 #if REFRACTION
-        if (waitingIn(trail) == 0u) break;
-        popRay(trail, pixelAngle, ray, path);
+        bool more = waitingIn(trail) != 0u;
+        if (more) popRay(trail, pixelAngle, ray, path);
 #else
-        break;
+        bool more = false;
+#endif
+#if SHADOWS_IN_TREE
+        ahead = more;
+        if (!more && shadows.lit.counting == 0u) break;
+#else
+        if (!more) break;
 #endif
     }
     return color;

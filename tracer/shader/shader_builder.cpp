@@ -86,6 +86,7 @@ Names namesOf(const Features& f) {
         {"DATA_BLOCK", f.dataBlock},
         {"SHADOWS", f.shadows != ShadowModel::Off},
         {"SHADOW_RAYS", shadowRow(f.shadows).rays},
+        {"SHADOWS_IN_TREE", f.shadows == ShadowModel::Hard},
         {"DISTANCES", f.distances},
         {"COVERS", f.shadows == ShadowModel::Silhouette},
         {"FROM_LIGHT", f.fromLight},

@@ -1,5 +1,9 @@
 // Blinn–Phong as shaders/shade/blinn_phong.glsl has it, but a shadow ray goes to every light from every surface: where the
 // light is behind it, where it has neither colour nor highlight to show, and where it hardly adds to the picture.
+#if LIGHTS
+#include "shade/light_fraction.glsl"
+#endif
+
 vec3 shade(Material material, vec3 point, vec3 facing, vec3 normal, Ray ray, vec3 tint) {
     vec3 color = material.own * tint;
 #if LIGHTS

@@ -1,4 +1,4 @@
-// Point lights as shaders/shade/lights.glsl has them; shadow rays start a fixed step off the surface, at every scale.
+// Point lights as shaders/shade/lights.glsl has them.
 struct Light {
     vec3 position;
     vec3 color;
@@ -7,23 +7,4 @@ struct Light {
 Light loadLight(int index) {
     int at = kLightBase + index * 2;
     return Light(sceneTexel(at).xyz, sceneTexel(at + 1).rgb);
-}
-
-#if SHADOWS
-#include "shadow/hard.glsl"
-#endif
-
-float lightFraction(vec3 point, vec3 normal, Light light) {
-#if SHADOWS
-    vec3 start = point + 1e-3 * normal;
-    vec3 toLight = light.position - start;
-    return visibility(rayFrom(start, normalize(toLight), -1, 0.0), length(toLight));
-#else
-    return 1.0;
-#endif
-}
-
-float lightFraction(Surface surface, int self, Light light, float width) {
-    bool front = dot(light.position - surface.point, surface.normal) >= 0.0;
-    return lightFraction(surface.point, front ? surface.normal : -surface.normal, light);
 }
