@@ -1,6 +1,6 @@
 // Hard shadows of the lights' centres by the tree's own search: the surface that was met last asks its lights, then the tree goes
-// on. One search in the shader finds what is in the way and what is nearest: there is half as much to compile, and on wide SIMD a
-// pixel's shadow rays run beside its neighbours' next rays.
+// on. One search in the shader finds what is in the way and what is nearest: there is a quarter less to compile, and on wide SIMD
+// a pixel's shadow rays run beside its neighbours' next rays.
 //
 // nearestPastShadows  adds the light that arrives, then meets the next ray where there is one (`ahead`) as nearestHit() does
 struct ShadowRays {
