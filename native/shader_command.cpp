@@ -13,13 +13,10 @@ namespace gnomon {
 
 namespace {
 
-/// Texels a uniform block holds at least, on every GL: 16 KiB.
-constexpr int kLeastBlockTexels = 1024;
-
 struct ShaderOptions {
     Drawing drawing;
     std::string pass = "trace", glsl = "es300";
-    bool stats = false;
+    bool processor = false, stats = false;
 };
 
 /// Milliseconds from the source to the first picture, with OSMesa.
@@ -63,7 +60,8 @@ int shader(const ShaderOptions& options) {
     const auto scene = assets ? assets->readScene(options.drawing.scene, problems) : std::nullopt;
     if (!scene) return fail(kInputWrong, problems);
 
-    const Features features = featuresOf(*scene, *settings, kLeastBlockTexels, options.glsl == "es300");
+    const GlslTarget target{.es300 = options.glsl == "es300", .processor = options.processor};
+    const Features features = featuresOf(*scene, *settings, target);
     const ShaderSource source =
         options.pass == "trace" ? buildShader("pass/trace.frag", features, problems) : buildCanvas(features, problems);
     if (!problems.empty()) return fail(kInputWrong, problems);
@@ -81,6 +79,7 @@ void addShader(CLI::App& app, Task& task) {
     addScene(*command, options->drawing.scene, true);
     command->add_option("--pass", options->pass, "Fragment or vertex shader [trace]")->type_name("trace|canvas");
     command->add_option("--glsl", options->glsl, "GLSL ES 3.00 or GLSL 3.30 [es300]")->type_name("es300|gl330");
+    command->add_flag("--processor", options->processor, "As for a GL in software, where the processor draws");
     command->add_flag("--stats", options->stats, "Its size, its modules and its compile time with OSMesa instead");
     addSettings(*command, options->drawing);
     command->callback([&task, options] { task = [options] { return shader(*options); }; });

@@ -123,7 +123,7 @@ Settings TraceLab::settingsFor(const TraceWay& way) const {
 int TraceLab::blockTexels() const { return info_.maxUniformBlockSize / int(sizeof(glm::vec4)); }
 
 Features TraceLab::featuresFor(const Scene& scene, const TraceWay& way) const {
-    return featuresOf(scene, settingsFor(way), blockTexels(), info_.essl300);
+    return featuresOf(scene, settingsFor(way), {blockTexels(), info_.essl300, gl::drawnByProcessor(info_.renderer)});
 }
 
 bool TraceLab::fits(const Scene& scene, const TraceWay& way) const {

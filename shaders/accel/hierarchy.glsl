@@ -34,9 +34,12 @@ int nextLeaf(GridRay ray, int nodes, int end, float t, inout int node) {
         vec3 high = floor(box.xyz * (1.0 / 4096.0));
         vec3 toLow = (box.xyz - 4096.0 * high - ray.beforeLow) * ray.perCell;
         vec3 toHigh = (high - ray.beforeHigh) * ray.perCell;
-        vec3 enter = min(toLow, toHigh);
-        vec3 leave = max(toLow, toHigh);
-        bool met = max(max(enter.x, enter.y), max(enter.z, 0.0)) <= min(min(leave.x, leave.y), min(leave.z, t));
+        // As whole numbers, which compare alike but where both are negative, and there the box lies behind either way: drivers
+        // for SIMD look for NaN in each minimum of floats.
+        ivec3 enter = min(floatBitsToInt(toLow), floatBitsToInt(toHigh));
+        ivec3 leave = max(floatBitsToInt(toLow), floatBitsToInt(toHigh));
+        int last = min(min(leave.x, leave.y), min(leave.z, floatBitsToInt(t)));
+        bool met = max(max(enter.x, enter.y), max(enter.z, 0)) <= last;
         bool leaf = box.w < 0.0;
         node = met || leaf ? node + 1 : int(box.w);
         if (met && leaf) return -1 - int(box.w);

@@ -32,7 +32,7 @@ struct Search$Shape {
 Search$Shape start$Shape(Ray ray) {
     Search$Shape search;
 #if $SHAPE_BLOCK
-    search.block = kBeforeBlock;
+    search.block = enterBlock(k$ShapeBlock, vec3(k$ShapeBlockX, k$ShapeBlockY, k$ShapeBlockZ), ray);
 #endif
 #if $SHAPE_SEARCH == HIERARCHY
     search.boxes = gridRay(k$ShapeGrid, ray);

@@ -10,6 +10,9 @@
 #endif
 #include "ray/primary.glsl"
 #include "ray/nearest.glsl"
+#if READ_AHEAD
+#include "ray/ahead.glsl"
+#endif
 #if OUTPUT == COLOR || OUTPUT == WORK || OUTPUT == STEPS
 #if IMAGES
 #include "shade/images.glsl"
@@ -99,4 +102,12 @@ vec4 pixel(Ray ray) {
 }
 #endif
 
-void main() { outColor = pixel(primaryRay()); }
+void main() {
+#if READ_AHEAD
+    vec4 ahead = readAhead();
+    vec4 color = pixel(primaryRay());
+    outColor = frame.zero.x == 0u ? color : ahead;
+#else
+    outColor = pixel(primaryRay());
+#endif
+}

@@ -73,7 +73,7 @@ Surface surfaceBox(Box box, Ray ray, float t) {
     vec3 normal = face * slabSide(dot(near.origin, face), dot(ray.direction, face), end);
     p = mix(p, normal * box.halfSize, face);
     Surface surface = bareSurface(box.center + p, normal, 0.0);
-#if IMAGES
+#if BOX_IMAGES
     surface.tangent = face.x > 0.0 ? vec3(0.0, 0.0, -normal.x) : (face.y > 0.0 ? vec3(1.0, 0.0, 0.0) : vec3(normal.z, 0.0, 0.0));
     vec3 down = cross(surface.tangent, normal);
     vec2 size = 2.0 * vec2(dot(box.halfSize, abs(surface.tangent)), dot(box.halfSize, abs(down)));

@@ -62,7 +62,7 @@ Surface surfaceCapsule(Capsule capsule, Ray ray, float t) {
     vec3 across = local.across + s * local.acrossStep;
     vec3 normal = normalize(across + (along - core) * axis.along);
     Surface surface = bareSurface(onAxis(axis, core * axis.along + capsule.radius * normal), normal, 1.0 / capsule.radius);
-#if IMAGES
+#if CAPSULE_IMAGES
     float perUnit = 1.0 / (3.14159265358979 * capsule.radius + 2.0 * axis.halfLength);
     float lean = asin(clamp(dot(normal, axis.along), -1.0, 1.0));
     wrapAround(surface, axis, around(axis, across), capsule.radius, 0.5 - (core + capsule.radius * lean) * perUnit, perUnit);

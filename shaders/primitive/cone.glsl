@@ -108,7 +108,7 @@ Surface surfaceCone(Cone cone, Ray ray, float t) {
     vec3 offset = (axis.halfLength - angle.y * down) * axis.along + angle.x * down * outward;
     float away = max(angle.x * down, 1e-6 * cone.radius);
     Surface surface = bareSurface(onAxis(axis, offset), angle.y * outward + angle.x * axis.along, angle.y / away);
-#if IMAGES
+#if CONE_IMAGES
     wrapAround(surface, axis, outward, away, down / slant, 1.0 / slant);
 #endif
     return surface;

@@ -63,7 +63,7 @@ Surface surfaceCylinder(Cylinder cylinder, Ray ray, float t) {
     float along = clamp(local.along + s * local.alongStep, -axis.halfLength, axis.halfLength);
     vec3 offset = along * axis.along + cylinder.radius * normal;
     Surface surface = bareSurface(onAxis(axis, offset), normal, 1.0 / cylinder.radius);
-#if IMAGES
+#if CYLINDER_IMAGES
     float perUnit = 0.5 / axis.halfLength;
     wrapAround(surface, axis, normal, cylinder.radius, 0.5 - along * perUnit, perUnit);
 #endif

@@ -69,7 +69,7 @@ Surface surfaceGlobe(Globe globe, Ray ray, float t) {
     p -= (off / dot(gradient, gradient)) * gradient;
     vec3 normal = normalize(globe.normal + globe.curvature * p);
     Surface surface = bareSurface(globe.anchor + p, normal, globe.curvature);
-#if IMAGES
+#if GLOBE_IMAGES
     // The latitude is not acos(y), which near a pole, where a ground has its anchor, moves in steps of radius / 3000.
     const float kPi = 3.14159265358979;
     float equator = length(normal.xz);

@@ -68,7 +68,7 @@ Surface surfaceSphere(Sphere sphere, Ray ray, float t) {
     float middle = near.tHigh + (near.tLow + fromNear);
     vec3 normal = normalize(t < middle ? foot - h * ray.direction : foot + h * ray.direction);
     Surface surface = bareSurface(sphere.center + sphere.radius * normal, normal, 1.0 / sphere.radius);
-#if IMAGES
+#if SPHERE_IMAGES
     const float kPi = 3.14159265358979;
     surface.uv = vec2(0.5 + atan(-normal.z, normal.x) / (2.0 * kPi), acos(clamp(normal.y, -1.0, 1.0)) / kPi);
     surface.uvPerUnit = vec2(0.5, 1.0) / (kPi * sphere.radius);

@@ -258,7 +258,7 @@ Surface surfaceTorus(Torus torus, Ray ray, float t) {
     vec3 normal = normalize(p - vec3(torus.major * around, 0.0));
     vec3 ring = vec3(torus.major * around, 0.0);
     Surface surface = bareSurface(torus.center + (ring + torus.minor * normal) * axes, normal * axes, 1.0 / torus.minor);
-#if IMAGES
+#if TORUS_IMAGES
     const float kTwoPi = 6.28318530717959;
     surface.uv = vec2(atan(around.y, around.x), atan(-normal.z, dot(normal.xy, around))) / kTwoPi + 0.5;
     surface.uvPerUnit = 1.0 / (kTwoPi * vec2(torus.major, torus.minor));

@@ -118,7 +118,7 @@ Surface surfaceTriangle(Triangle triangle, Ray ray, float t) {
     vec3 ab = triangle.b - triangle.a;
     vec3 ac = triangle.c - triangle.a;
     Surface surface = bareSurface(triangle.a + bc.x * ab + bc.y * ac, normalize(cross(ab, ac)), 0.0);
-#if IMAGES
+#if TRIANGLE_IMAGES
     surface.uv = bc;
     surface.uvPerUnit = vec2(inversesqrt(dot(ab, ab)), inversesqrt(dot(ac, ac)));
     surface.tangent = normalize(ab);

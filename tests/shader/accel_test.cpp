@@ -58,7 +58,7 @@ std::string difference(const FloatImage& a, const FloatImage& b) {
 }
 
 bool searches(const Scene& scene, Accel accel) {
-    for (const KindCount& kind : featuresOf(scene, sized(accel, Aov::Color, 1), 1024, true).shapes)
+    for (const KindCount& kind : featuresOf(scene, sized(accel, Aov::Color, 1), {}).shapes)
         if (kind.search != Search::Loop || kind.blockMembers() > 0) return true;
     return false;
 }
@@ -164,7 +164,7 @@ std::vector<Shot> shotsOfRack() {
 
 int blockOf(const Scene& scene) {
     int members = 0;
-    for (const KindCount& kind : featuresOf(scene, {}, 1024, true).shapes) members += kind.blockMembers();
+    for (const KindCount& kind : featuresOf(scene, {}, {}).shapes) members += kind.blockMembers();
     return members;
 }
 

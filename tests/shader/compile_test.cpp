@@ -37,7 +37,7 @@ std::vector<Variant> variants(const std::string& sceneName) {
             const auto add = [&](const std::string& what) {
                 all.push_back({sceneName + (es300 ? " es300 " : " gl330 ") +
                                    (data == DataPath::Block ? "block " : "texture ") + what,
-                               featuresOf(scene, settings, 1024, es300)});
+                               featuresOf(scene, settings, {1024, es300, data == DataPath::Texture})});
             };
             for (Aov aov : {Aov::Color, Aov::Distance, Aov::Position, Aov::Normal, Aov::Object, Aov::Visibility,
                             Aov::Work, Aov::Steps}) {

@@ -222,5 +222,17 @@ TEST(Outputs, ReadTheSameFromABlockAndFromATexture) {
     EXPECT_EQ(block.pixels, texture.pixels);
 }
 
+// What the processor reads ahead (shaders/ray/ahead.glsl) spares it work and changes nothing.
+TEST(Outputs, AreTheSameWithNothingReadAhead) {
+    offscreen();
+    const ShaderFile nothing[] = {{"ray/ahead.glsl", "vec4 readAhead() { return vec4(0.0); }"}};
+    for (const char* name : {"lite", "pro", "torus", "solids"}) {
+        const Scene scene = sceneNamed(name);
+        Drawing ahead(scene, small(1)), plain(scene, small(1), nothing);
+        EXPECT_NE(ahead.renderer().source(), plain.renderer().source()) << name;
+        EXPECT_EQ(ahead.output().pixels, plain.output().pixels) << name;
+    }
+}
+
 } // namespace
 } // namespace gnomon

@@ -33,9 +33,10 @@ inline bool meets(const GridRay& ray, glm::vec4 box, float t) {
     const glm::vec3 both(box), high = glm::floor(both * (1.0f / 4096.0f));
     const glm::vec3 toLow = (both - 4096.0f * high - ray.beforeLow) * ray.perCell;
     const glm::vec3 toHigh = (high - ray.beforeHigh) * ray.perCell;
-    const glm::vec3 enter = glm::min(toLow, toHigh), leave = glm::max(toLow, toHigh);
-    return std::max(std::max(enter.x, enter.y), std::max(enter.z, 0.0f)) <=
-           std::min(std::min(leave.x, leave.y), std::min(leave.z, t));
+    const glm::ivec3 a = glm::floatBitsToInt(toLow), b = glm::floatBitsToInt(toHigh);
+    const glm::ivec3 enter = glm::min(a, b), leave = glm::max(a, b);
+    return std::max(std::max(enter.x, enter.y), std::max(enter.z, 0)) <=
+           std::min(std::min(leave.x, leave.y), std::min(leave.z, glm::floatBitsToInt(t)));
 }
 
 inline int nextLeaf(const GridRay& ray, std::span<const glm::vec4> nodes, float t, int& node, Visits& visits) {

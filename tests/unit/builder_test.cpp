@@ -14,7 +14,7 @@ namespace {
 using test::sceneFrom;
 using test::sceneNamed;
 
-Features features(const Scene& scene, const Settings& settings = {}) { return featuresOf(scene, settings, 1024, true); }
+Features features(const Scene& scene, const Settings& settings = {}) { return featuresOf(scene, settings, {}); }
 
 std::string source(const Scene& scene, const Settings& settings = {}) {
     Problems problems;
@@ -212,13 +212,17 @@ TEST(ShaderLibrary, CarriesNoCommentsButTheirLines) {
     }
 }
 
-TEST(Features, ChooseABlockWhereTheSceneFitsAndATextureWhereNot) {
+TEST(Features, ChooseABlockWhereTheSceneFitsAndAGpuDraws) {
     const Scene lite = sceneNamed("lite");
-    EXPECT_TRUE(featuresOf(lite, {}, 1024, true).dataBlock);
-    EXPECT_FALSE(featuresOf(lite, {}, 16, true).dataBlock);
+    EXPECT_TRUE(featuresOf(lite, {}, {}).dataBlock);
+    EXPECT_FALSE(featuresOf(lite, {}, {16}).dataBlock);
     Settings texture;
     texture.data = DataPath::Texture;
-    EXPECT_FALSE(featuresOf(lite, texture, 1024, true).dataBlock);
+    EXPECT_FALSE(featuresOf(lite, texture, {}).dataBlock);
+    EXPECT_FALSE(featuresOf(lite, {}, {.processor = true}).dataBlock);
+    Settings block;
+    block.data = DataPath::Block;
+    EXPECT_TRUE(featuresOf(lite, block, {.processor = true}).dataBlock);
 }
 
 } // namespace

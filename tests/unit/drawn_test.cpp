@@ -38,7 +38,7 @@ ShapeKind first(const Scene& scene) { return drawnKinds(scene)[0]; }
 
 std::string sourceOf(const Scene& scene) {
     Problems problems;
-    const std::string text = buildShader("pass/trace.frag", featuresOf(scene, {}, 1024, true), problems).text;
+    const std::string text = buildShader("pass/trace.frag", featuresOf(scene, {}, {}), problems).text;
     EXPECT_EQ(toString(problems), "");
     return text;
 }
@@ -82,7 +82,7 @@ TEST(Drawn, DoesNotChangeWithTime) {
     Scene scene = onSphere(51, 10, kBall);
     scene.objects[1].motion = Orbit{{0, 1e5, 0}, {0, 0, 0}, 1, -1};
     scene.objects[0].motion = Orbit{{0, 0, 0}, {0, 1e5, 0}, 1, -1};
-    const Features features = featuresOf(scene, {}, 1024, true);
+    const Features features = featuresOf(scene, {}, {});
     const auto now = packScene(scene, features, 0), later = packScene(scene, features, 1.5707963);
     EXPECT_EQ(now.size(), later.size());
     EXPECT_EQ(int(now.size()), sceneTexels(features));
@@ -93,7 +93,7 @@ TEST(Drawn, DoesNotChangeWithTime) {
 TEST(Drawn, LeavesTheGlowOfAGlobeAtItsCentre) {
     Scene scene = onSphere(5100, 10, kFloor);
     scene.objects[0].glow = Glow{};
-    const Features features = featuresOf(scene, {}, 1024, true);
+    const Features features = featuresOf(scene, {}, {});
     const auto texels = packScene(scene, features, 0);
     EXPECT_EQ(features.glows, 1);
     EXPECT_EQ(texels[texels.size() - 2], glm::vec4(0, -5100, 0, Glow{}.strength));

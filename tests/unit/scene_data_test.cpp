@@ -40,7 +40,7 @@ std::string nameOf(const KindCount& kind) { return "k" + kind.type(); }
 class SceneData : public testing::TestWithParam<const char*> {
   protected:
     Scene scene = sceneNamed(GetParam());
-    Features features = featuresOf(scene, {}, 1 << 20, true);
+    Features features = featuresOf(scene, {}, {1 << 20});
     std::map<std::string, int> at = constants(features);
     std::vector<glm::vec4> texels = packScene(scene, features, 0);
 };
@@ -119,7 +119,7 @@ std::vector<Bounds> boundsInOrder(const std::vector<Shape>& shapes, const std::v
 TEST_P(SceneData, HoldsTheHierarchiesOfItsKinds) {
     Settings settings;
     settings.accel = Accel::Hierarchy;
-    features = featuresOf(scene, settings, 1 << 20, true);
+    features = featuresOf(scene, settings, {1 << 20});
     at = constants(features);
     ScenePacker packer(scene);
     std::map<ShapeKind, Hierarchy> trees;
@@ -145,7 +145,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SceneData,
 TEST(SceneData, TellsEveryTriangleTheMiddleOfAll) {
     const Scene scene = test::sceneFrom(R"({"objects": [{"triangle": {"vertices": [[0, 0, 0], [1, 0, 0], [0, 2, 0]]}},
         {"sphere": {"center": [90, 90, 90], "radius": 1}}, {"triangle": {"vertices": [[5, 0, -8], [6, 0, 0], [5, 2, 0]]}}]})");
-    const Features features = featuresOf(scene, {}, 1024, true);
+    const Features features = featuresOf(scene, {}, {});
     const auto texels = packScene(scene, features, 0);
     const int base = constants(features)["kTriangleBase"];
     for (const int triangle : {0, 1})
@@ -154,7 +154,7 @@ TEST(SceneData, TellsEveryTriangleTheMiddleOfAll) {
 
 TEST(SceneDataOfLite, GivesGoldTheReflectanceOfTheSource) {
     const Scene scene = sceneNamed("lite");
-    const Features features = featuresOf(scene, {}, 1024, true);
+    const Features features = featuresOf(scene, {}, {});
     const auto texels = packScene(scene, features, 0);
     int gold = -1;
     for (const Object& object : scene.objects)
@@ -168,7 +168,7 @@ TEST(SceneDataOfLite, GivesGoldTheReflectanceOfTheSource) {
 
 TEST(SceneDataOfLite, ReducesTextureMotionToOnePeriodAlsoAfterADay) {
     const Scene scene = sceneNamed("lite");
-    const Features features = featuresOf(scene, {}, 1024, true);
+    const Features features = featuresOf(scene, {}, {});
     const double day = 86400.25;
     const auto texels = packScene(scene, features, day);
     const int first = constants(features)["kMaterialBase"];
@@ -300,7 +300,7 @@ Scene allMoving(int count) {
 // One core's time of a frame: where everything is, its boxes, the tree about them and all texels.
 TEST(ScenePacker, Packs10000MovingSpheresIn4Milliseconds) {
     const Scene scene = allMoving(10000);
-    const Features features = featuresOf(scene, {}, 1024, true);
+    const Features features = featuresOf(scene, {}, {});
     ASSERT_EQ(features.shapes[0].search, Search::Hierarchy);
     ScenePacker packer(scene);
     double time = 0;

@@ -67,7 +67,7 @@ std::unique_ptr<Batch> Batch::make(const BatchPass& pass, const Scene& scene, Pr
     const gl::Info info = gl::info();
     Settings settings = pass.settings;
     settings.data = DataPath::Block;
-    Features features = featuresOf(scene, settings, 0, info.essl300);
+    Features features = featuresOf(scene, settings, {.es300 = info.essl300});
     features.distances |= pass.distances;
     Problems faults;
     const ShaderSource source = buildShader(pass.file, features, faults, overrides);

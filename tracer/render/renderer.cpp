@@ -190,16 +190,14 @@ struct Renderer::Impl {
 
     int blockTexels() const { return info.maxUniformBlockSize / int(sizeof(glm::vec4)); }
 
-    /// What `data=auto` puts into a block. SwiftShader fetches from a texture in 0.75 of the time that it takes to
-    /// index a block, others do not (docs/results.md).
-    int autoBlockTexels() const { return info.renderer.find("SwiftShader") == std::string::npos ? blockTexels() : 0; }
+    GlslTarget target() const { return {blockTexels(), info.essl300, gl::drawnByProcessor(info.renderer)}; }
 
     bool fits(const Scene& scene, Problems& problems) const {
         const std::size_t before = problems.size();
         const auto refuse = [&](const std::string& what, const std::string& remedy) {
             problems.push_back({scene.file, 0, {}, what, remedy});
         };
-        const int texels = sceneTexels(featuresOf(scene, settings, autoBlockTexels(), info.essl300)),
+        const int texels = sceneTexels(featuresOf(scene, settings, target())),
                   units = int(imageSlots(scene).size()) + kFirstImageUnit;
         const long most = long(kDataWidth) * info.maxTextureSize;
         if (texels > most)
@@ -216,7 +214,7 @@ struct Renderer::Impl {
 
     void choose() {
         if (!wantedScene) return;
-        Features features = featuresOf(wantedScene->scene, settings, autoBlockTexels(), info.essl300);
+        Features features = featuresOf(wantedScene->scene, settings, target());
         if (const int texels = sceneTexels(features); features.dataBlock && texels > blockTexels()) {
             features.dataBlock = false;
             pending.push_back({wantedScene->scene.file,

@@ -69,11 +69,6 @@ void noteMiddleOfTriangles(std::vector<Shape>& shapes) {
         for (int i = 0; shape.kind == ShapeKind::Triangle && i < 3; ++i) shape.texels[std::size_t(i)].w = middle[i];
 }
 
-bool showsImages(const Material& m) {
-    const auto* coat = std::get_if<Coat>(&m.optics);
-    return m.texture || m.normalMap || (coat && !coat->mask.empty());
-}
-
 /// A plane told from its point nearest to 0, so that neither that point nor the rounding of the normal is off by what
 /// float32 makes of the way to a stated point far from the scene.
 Shape toldFromHere(Shape plane) {
@@ -156,7 +151,7 @@ std::vector<Shape> ScenePacker::shapesAbout(double time) const {
         shapes[i] = translated(shapes[i], -origin_);
         // The stated point is where an image on the plane begins.
         if (shapes[i].kind == ShapeKind::Plane &&
-            !showsImages(scene_.materials[std::size_t(scene_.objects[i].material)]))
+            !scene_.materials[std::size_t(scene_.objects[i].material)].showsImages())
             shapes[i] = toldFromHere(shapes[i]);
     }
     return shapes;

@@ -92,6 +92,11 @@ double powerOfTwoAbove(double x) {
 
 } // namespace
 
+bool Material::showsImages() const {
+    const auto* coat = std::get_if<Coat>(&optics);
+    return texture || normalMap || (coat && !coat->mask.empty());
+}
+
 std::vector<Shape> shapesAt(const Scene& scene, double time) {
     return placed(scene, [time](const Orbit& orbit) { return swing(orbit, time); });
 }

@@ -48,6 +48,9 @@ struct Material {
     std::variant<std::monostate, Conductor, Dielectric, Coat> optics;
     std::optional<TextureUse> texture;   ///< multiplies ambient, diffuse and emission of its own surface
     std::optional<TextureUse> normalMap; ///< tangent space, green towards the image's top
+
+    /// A surface of it has to tell where on an image a point lies.
+    bool showsImages() const;
 };
 
 /// Moves a shape by cos·cos(rate t) + sin·sin(rate t) from where it rests, and by all that `around` has moved too: the

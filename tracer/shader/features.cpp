@@ -51,6 +51,9 @@ std::vector<KindCount> countKinds(const Scene& scene, Accel accel) {
         KindCount kind{layout.kind, int(layout.objects.size()), layout.casters};
         kind.solid = layout.solid;
         if (kind.solid) kind.form = forms++;
+        kind.images = std::any_of(layout.objects.begin(), layout.objects.end(), [&](int i) {
+            return scene.materials[std::size_t(scene.objects[std::size_t(i)].material)].showsImages();
+        });
         if (accel != Accel::None) {
             if (accel != Accel::Hierarchy) kind.block = layout.block;
             kind.search = searchFor(layout, kind.blockMembers(), shapes, accel);
@@ -88,11 +91,12 @@ int Features::objects() const {
     return sum;
 }
 
-Features featuresOf(const Scene& scene, const Settings& settings, int maxBlockTexels, bool es300) {
+Features featuresOf(const Scene& scene, const Settings& settings, const GlslTarget& target) {
     Features features;
     features.shapes = countKinds(scene, settings.accel);
     features.output = settings.aov;
-    features.es300 = es300;
+    features.es300 = target.es300;
+    features.readAhead = target.processor;
     features.linear = scene.encoding == Encoding::Linear;
     features.materials = int(scene.materials.size());
     features.lights = int(scene.lights.size());
@@ -113,8 +117,8 @@ Features featuresOf(const Scene& scene, const Settings& settings, int maxBlockTe
     if (settings.glow)
         features.glows = int(std::count_if(scene.objects.begin(), scene.objects.end(),
                                            [](const Object& o) { return o.glow.has_value(); }));
-    features.dataBlock = settings.data == DataPath::Block ||
-                         (settings.data == DataPath::Auto && sceneTexels(features) <= maxBlockTexels);
+    const bool blockIsBest = !target.processor && sceneTexels(features) <= target.blockTexels;
+    features.dataBlock = settings.data == DataPath::Block || (settings.data == DataPath::Auto && blockIsBest);
     return features;
 }
 

@@ -23,6 +23,7 @@ struct KindCount {
     int count = 0, casters = 0;
     glm::ivec3 block{0};          ///< cells of the block that the first objects make and rays walk through; else 0
     Search search = Search::Loop; ///< for the others
+    bool images = false;          ///< on some of them: their surfaces tell where on an image a point lies
     int form = 0;                 ///< of solids: a number for each form
     std::shared_ptr<const Solid> solid{};
 
@@ -45,13 +46,21 @@ struct Features {
     bool distances = false; ///< of shapes are asked for
     Aov output = Aov::Color;
     bool dataBlock = false; ///< numbers in a uniform block, else in a texture
+    bool readAhead = false; ///< numbers at fixed places are read before all loops: shaders/ray/ahead.glsl
     bool es300 = true;      ///< prelude `#version 300 es`, else `330 core`
 
     int objects() const;
 };
 
-/// Pure: the same scene and settings give the same features. `settings.data` Auto takes a block where `maxBlockTexels`
-/// vec4 hold the scene.
-Features featuresOf(const Scene&, const Settings&, int maxBlockTexels, bool es300);
+/// The GL that a shader is written for.
+struct GlslTarget {
+    int blockTexels = 1024; ///< vec4 that a uniform block holds: 16 KiB, as every GL does
+    bool es300 = true;
+    bool processor = false; ///< the processor draws: indexing a block costs it more than a fetch from a texture
+};
+
+/// Pure: the same scene, settings and target give the same features. `settings.data` Auto takes a block where that holds
+/// the scene and a GPU draws.
+Features featuresOf(const Scene&, const Settings&, const GlslTarget&);
 
 } // namespace gnomon

@@ -48,6 +48,7 @@ void addSearch(const KindCount& kind, Names& names) {
 void addShape(const KindCount& kind, Names& names) {
     const std::string type = mapped(kind.type(), std::toupper);
     const bool estimates = kind.solid && estimated(*kind.solid);
+    names.values[type + "_IMAGES"] = kind.images;
     names.values[type + "_CONVEX"] = shapeRow(kind.kind).convex;
     names.values[type + "_BOUNDED"] = shapeRow(kind.kind).extent != nullptr;
     names.values[type + "_SOLID"] = kind.solid != nullptr;
@@ -84,6 +85,7 @@ Names namesOf(const Features& f) {
         {"LIGHTS", f.lights},
         {"GLOWS", f.glows},
         {"DATA_BLOCK", f.dataBlock},
+        {"READ_AHEAD", f.readAhead},
         {"SHADOWS", f.shadows != ShadowModel::Off},
         {"SHADOW_RAYS", shadowRow(f.shadows).rays},
         {"SHADOWS_IN_TREE", f.shadows == ShadowModel::Hard},
@@ -106,6 +108,8 @@ Names namesOf(const Features& f) {
         {"STEPS", int(Aov::Steps)},
         {"HIERARCHY", int(Search::Hierarchy)},
     };
+    // Solids have shapes for parts that the scene has no object of.
+    for (const ShapeRow& row : shapeTable()) names.values[mapped(std::string(row.type), std::toupper) + "_IMAGES"] = 0;
     auto& shapes = names.lists["SHAPES"];
     auto& casters = names.lists["CASTERS"];
     for (const KindCount& kind : f.shapes) {
