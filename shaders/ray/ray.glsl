@@ -25,7 +25,7 @@ struct Surface {
     float curvature;
 };
 
-// A surface without a texture's frame: shapes add uv, uvPerUnit and tangent where the scene has images.
+// A surface without a texture's frame: shapes add uv, uvPerUnit and tangent where objects of theirs show images.
 Surface bareSurface(vec3 point, vec3 normal, float curvature) {
     return Surface(point, normal, vec2(0.0), vec2(0.0), vec3(0.0), curvature);
 }
