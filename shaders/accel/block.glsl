@@ -10,12 +10,11 @@
 //              them to 2^-20
 // Source       J. Amanatides, A. Woo, A Fast Voxel Traversal Algorithm for Ray Tracing, 1987
 struct BlockWalk {
-    NearRay near;
-    vec3 origin;  // of near, from the block's corner, in cells
-    vec3 onward;  // +1 or -1: where the next cell lies
-    vec3 perCell; // s from one wall to the next, along each axis
-    vec3 cell;    // the next; one outside of the block ends the walk
-    float s;      // where the re-centred ray enters it
+    vec3 origin;   // of the re-centred ray, from the block's corner, in cells
+    vec3 perCell;  // s from one wall to the next, along each axis; its sign says where the next cell lies
+    vec3 cell;     // the next; one outside of the block ends the walk
+    float s;       // where the re-centred ray enters it
+    float closest; // t where s is 0
 };
 
 BlockWalk enterBlock(int at, vec3 cells, Ray ray) {
@@ -27,10 +26,11 @@ BlockWalk enterBlock(int at, vec3 cells, Ray ray) {
     vec3 origin = near.origin / size + 0.5 * cells;
     vec3 enter = (0.5 * cells * (1.0 - onward) - origin) * perCell;
     vec3 leave = (0.5 * cells * (1.0 + onward) - origin) * perCell;
-    float s = max(max(enter.x, enter.y), max(enter.z, -near.tHigh - near.tLow));
+    float closest = near.tHigh + near.tLow;
+    float s = max(max(enter.x, enter.y), max(enter.z, -closest));
     bool passes = s > min(leave.x, min(leave.y, leave.z));
     vec3 cell = passes ? vec3(-1.0) : clamp(floor(origin + s / perCell), vec3(0.0), cells - 1.0);
-    return BlockWalk(near, origin, onward, perCell, cell, s);
+    return BlockWalk(origin, perCell, cell, s, closest);
 }
 
 bool leftBlock(vec3 cells, BlockWalk walk) {
@@ -38,20 +38,20 @@ bool leftBlock(vec3 cells, BlockWalk walk) {
 }
 
 int nextInBlock(int at, vec3 cells, Ray ray, float t, int self, inout BlockWalk walk) {
-    float radius = sceneTexel(at).w;
+    vec4 corner = sceneTexel(at);
     vec3 size = sceneTexel(at + 1).xyz;
-    float last = (t - walk.near.tHigh) - walk.near.tLow;
+    vec3 onward = sign(walk.perCell);
+    float last = t - walk.closest + 3e-7 * (t + abs(walk.closest)); // with the room that both roundings need
     while (walk.s <= last && !leftBlock(cells, walk)) {
 #if OUTPUT == WORK
         ++work.x;
 #endif
         vec3 cell = walk.cell;
-        vec3 wall = (cell + 0.5 + 0.5 * walk.onward - walk.origin) * walk.perCell;
+        vec3 wall = (cell + 0.5 + 0.5 * onward - walk.origin) * walk.perCell;
         walk.s = min(wall.x, min(wall.y, wall.z));
-        walk.cell += walk.onward * vec3(lessThanEqual(wall, vec3(walk.s)));
+        walk.cell += onward * vec3(lessThanEqual(wall, vec3(walk.s)));
         int index = int(dot(cell, vec3(1.0, cells.x, cells.x * cells.y)));
-        vec3 toOrigin = walk.near.origin - (cell + 0.5 - 0.5 * cells) * size;
-        if (index == self || !passesBy(toOrigin, ray.direction, radius)) return index;
+        if (index == self || !passesBy(ray, vec4(corner.xyz + (cell + 0.5) * size, corner.w))) return index;
     }
     return -1;
 }

@@ -42,13 +42,13 @@ out vec4 outColor;
 
 #if OUTPUT == COLOR
 vec4 pixel(Ray ray) {
-    vec3 color = chooseChannels(traceTree(ray, frame.cone.x));
+    vec3 color = chooseChannels(traceTree(ray));
     return vec4(frame.limits.z == 1 ? encode(color) : color, 1.0);
 }
 #elif OUTPUT == WORK
 // Boxes, objects and shadow rays that the colour of this pixel takes; shown against 256, 64 and 16 of them.
 vec4 pixel(Ray ray) {
-    vec3 color = traceTree(ray, frame.cone.x);
+    vec3 color = traceTree(ray);
     vec3 counts = vec3(work);
     if (color.r < -1.0) counts.r = 0.0; // the colour is asked for, too: nothing of the work may be left out
     return vec4(frame.limits.z == 1 ? counts / vec3(256.0, 64.0, 16.0) : counts, 1.0);
@@ -56,7 +56,7 @@ vec4 pixel(Ray ray) {
 #elif OUTPUT == STEPS
 // Evaluations of distances that the colour of this pixel takes; shown against 256 of them.
 vec4 pixel(Ray ray) {
-    vec3 color = traceTree(ray, frame.cone.x);
+    vec3 color = traceTree(ray);
     vec3 count = vec3(float(evaluations));
     if (color.r < -1.0) count.r = 0.0; // the colour is asked for, too: nothing of the work may be left out
     return vec4(frame.limits.z == 1 ? count / 256.0 : count, 1.0);

@@ -2,40 +2,46 @@
 // on. One search in the shader finds what is in the way and what is nearest: there is a quarter less to compile, and on wide SIMD
 // a pixel's shadow rays run beside its neighbours' next rays.
 //
-// nearestPastShadows  adds the light that arrives, then meets the next ray where there is one (`ahead`) as nearestHit() does
+// The tree's ray starts where its shadow rays do, on the surface that was met last; one that has waited is fetched only when they
+// are done. So they need no place of their own, which would hold registers.
+//
+// nearestPastShadows  adds the light that arrives, then meets the next ray as nearestHit() does. `ahead` says whether the tree's ray
+//                     is to be met; where it is not and none waits, nothing is met and `ahead` stays false
 struct ShadowRays {
     Lit lit;
-    vec3 point;
-    int self;
-    float side;
+    float side; // of the surface, on which they travel
 };
 
 // To the light's centre; t is where it ends.
-Ray nextShadowRay(inout ShadowRays shadows, out float t, out vec3 adds) {
+Ray nextShadowRay(Ray ray, inout ShadowRays shadows, out float t, out vec3 adds) {
 #if OUTPUT == WORK
     ++work.z;
 #endif
     Light light = loadLight(nextLight(shadows.lit, adds));
-    vec3 toLight = light.position - shadows.point;
+    vec3 toLight = light.position - ray.origin;
     float distance = length(toLight);
-    Ray ray = rayFrom(shadows.point, toLight / distance, shadows.self, shadows.side);
     t = distance - ray.tMin;
-    return ray;
+    return Ray(ray.origin, toLight / distance, ray.tMin, ray.self, shadows.side);
 }
 
-int nearestPastShadows(Ray ray, bool ahead, inout ShadowRays shadows, inout vec3 color, out float t) {
+int nearestPastShadows(inout uint trail, inout Ray ray, inout Path path, inout bool ahead, inout ShadowRays shadows,
+                       inout vec3 color, out float t) {
     int object = -1;
     // Wide SIMD runs a loop's body as long as a pixel is in it: the end is found at its end.
     for (int i = 0; i <= kLightCount; ++i) {
         bool shadow = shadows.lit.counting != 0u;
+        if (!shadow && !ahead) {
+            popRay(trail, ray, path);
+            ahead = true;
+        }
         Ray asked = ray;
         vec3 adds = vec3(0.0);
         t = kFar;
-        if (shadow) asked = nextShadowRay(shadows, t, adds);
+        if (shadow) asked = nextShadowRay(ray, shadows, t, adds);
         object = nearestHit(asked, shadow, t);
         if (!shadow) break;
         if (object < 0) color += adds;
-        if (shadows.lit.counting == 0u && !ahead) break;
+        if (shadows.lit.counting == 0u && !ahead && !anyWaits(trail)) break;
     }
     return object;
 }

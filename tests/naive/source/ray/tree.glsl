@@ -5,7 +5,7 @@
 // Waste   no ray is left out for the little that it adds, and every surface is shaded, the sky's planes and the sun as well.
 //         Texture coordinates are worked out once a ray, as in the document; point and normal at every closer hit
 // Limits  of light inside of glass only what leaves it is followed, unless reflection is total. Images show the detail that
-//         neighbouring pixels ask for, whatever those see: there are no pencils, and pixelAngle is ignored.
+//         neighbouring pixels ask for, whatever those see: there are no pencils.
 //         The document asked its torus by secondary rays only; here every ray asks it, as all else
 const int kStackSize = 8;
 const float kEpsilon = 1e-3; // how far off a surface rays start, at every scale
@@ -56,7 +56,7 @@ Ray leaving(Ray ray, vec3 point, vec3 off, vec3 direction) {
     return ray;
 }
 
-vec3 traceTree(Ray ray, float pixelAngle) {
+vec3 traceTree(Ray ray) {
     vec3 color = vec3(0.0);
     vec3 share = vec3(1.0);
     Waiting stack[kStackSize];
