@@ -67,7 +67,7 @@ std::string blockText(glm::ivec3 cells) {
 
 /// Kinds that are asked one by one go without saying.
 std::string searchOf(const Features& features) {
-    constexpr std::array names{"loop", "sieve", "hierarchy"}; // as Search
+    constexpr std::array names{"loop", "sieve", "hierarchy", "cells"}; // as Search
     std::string text;
     for (const KindCount& kind : features.shapes) {
         if (kind.blockMembers() == 0 && kind.search == Search::Loop) continue;

@@ -1,9 +1,9 @@
 // Searches for the objects of a kind that a ray may meet: those of its regular block by walking from cell to cell, the others
-// by a sieve or a hierarchy of boxes. Which a kind has is chosen by tracer/shader/features.h.
+// by a sieve, a hierarchy of boxes, or the lists of a grid's cells. Which a kind has is chosen by tracer/shader/features.h.
 //
 // start  begins the search of a ray
-// next   number of the next object in its kind that the ray may meet nearer than `t`, -1 at the end; each comes once. The
-//        object that the ray starts on always comes.
+// next   number of the next object in its kind that the ray may meet nearer than `t`, -1 at the end; each comes once, or once
+//        more from another cell of a grid. The object that the ray starts on always comes.
 // ended  that no other one will come, where the search can tell: wide SIMD is spared a turn that finds nothing
 // sieve  a bit for each loose object whose ball the ray does not pass by. The balls are read in a fixed order, all lanes of
 //        a SIMD together: that costs less than the boxes that might spare some of them
@@ -14,16 +14,21 @@
 #if BLOCKS
 #include "accel/block.glsl"
 #endif
+#if CELL_GRIDS
+#include "accel/cells.glsl"
+#endif
 
 #for Shape in SHAPES
 #if $SHAPE_SEARCHED
 struct Search$Shape {
 #if $SHAPE_BLOCK
-    BlockWalk block;
+    GridWalk block;
 #endif
 #if $SHAPE_SEARCH == HIERARCHY
     GridRay boxes;
     int node;
+#elif $SHAPE_SEARCH == CELLS
+    CellWalk cells;
 #else
     uint sieve;
 #endif
@@ -32,11 +37,13 @@ struct Search$Shape {
 Search$Shape start$Shape(Ray ray) {
     Search$Shape search;
 #if $SHAPE_BLOCK
-    search.block = enterBlock(k$ShapeBlock, vec3(k$ShapeBlockX, k$ShapeBlockY, k$ShapeBlockZ), ray);
+    search.block = enterGrid(k$ShapeBlock, vec3(k$ShapeBlockX, k$ShapeBlockY, k$ShapeBlockZ), ray);
 #endif
 #if $SHAPE_SEARCH == HIERARCHY
     search.boxes = gridRay(k$ShapeGrid, ray);
     search.node = 0;
+#elif $SHAPE_SEARCH == CELLS
+    search.cells = enterCells(k$ShapeCells, vec3(k$ShapeCellsX, k$ShapeCellsY, k$ShapeCellsZ), ray);
 #else
     int self = ray.self - k$ShapeFirst - k$ShapeLoose;
     search.sieve = self >= 0 && self < k$ShapeCount - k$ShapeLoose ? 1u << uint(self) : 0u;
@@ -55,11 +62,13 @@ Search$Shape start$Shape(Ray ray) {
 bool ended$Shape(Search$Shape search) {
 #if $SHAPE_SEARCH == HIERARCHY
     bool ended = search.node >= k$ShapeNodes;
+#elif $SHAPE_SEARCH == CELLS
+    bool ended = leftCells(vec3(k$ShapeCellsX, k$ShapeCellsY, k$ShapeCellsZ), search.cells);
 #else
     bool ended = search.sieve == 0u;
 #endif
 #if $SHAPE_BLOCK
-    ended = ended && leftBlock(vec3(k$ShapeBlockX, k$ShapeBlockY, k$ShapeBlockZ), search.block);
+    ended = ended && leftGrid(vec3(k$ShapeBlockX, k$ShapeBlockY, k$ShapeBlockZ), search.block);
 #endif
     return ended;
 }
@@ -68,6 +77,15 @@ int next$Shape(inout Search$Shape search, Ray ray, float t) {
 #if $SHAPE_SEARCH == HIERARCHY
     int leaf = nextLeaf(search.boxes, k$ShapeGrid + 2, k$ShapeNodes, t, search.node);
     if (leaf >= 0) return k$ShapeLoose + leaf;
+#elif $SHAPE_SEARCH == CELLS
+    int self = ray.self - k$ShapeFirst - k$ShapeLoose;
+    float last = lastStep(search.cells.grid, t);
+    while (goOn(k$ShapeCells + 2, vec3(k$ShapeCellsX, k$ShapeCellsY, k$ShapeCellsZ), last, search.cells)) {
+        int listed = takeListed(search.cells);
+        if (listed < 0) continue;
+        int index = k$ShapeLoose + listed;
+        if (listed == self || !passesBy(ray, ball$Shape(load$Shape(k$ShapeBase + index * k$ShapeTexels)))) return index;
+    }
 #else
     if (search.sieve != 0u) {
         int index = lowestBit(search.sieve);

@@ -17,6 +17,8 @@ vec4 readAhead() {
 #if $SHAPE_SEARCHED
 #if $SHAPE_SEARCH == HIERARCHY
     for (int i = 0; i < 2; ++i) sum += sceneTexel(k$ShapeGrid + i);
+#elif $SHAPE_SEARCH == CELLS
+    for (int i = 0; i < 2; ++i) sum += sceneTexel(k$ShapeCells + i);
 #else
     for (int i = k$ShapeLoose * k$ShapeTexels; i < k$ShapeCount * k$ShapeTexels; ++i) sum += sceneTexel(k$ShapeBase + i);
 #endif

@@ -268,6 +268,37 @@ TEST(Hierarchies, LeaveAMixedCloudAsItIs) {
     expectAlike(studio(shapes), kAround, 80);
 }
 
+// ---- Grids, which processors take for what lies evenly scattered
+
+bool hasCells(const Scene& scene) {
+    GlslTarget processor;
+    processor.processor = true;
+    const Features features = featuresOf(scene, sized(Accel::Auto, Aov::Color, 1), processor);
+    return features.shapes[0].search == Search::Cells;
+}
+
+TEST(Cells, LeaveACloudThatMovesAsItIs) {
+    Scene scene = studio(inACube(400, 1));
+    Dice dice(24);
+    for (std::size_t i = 0; i < scene.objects.size(); i += 2)
+        scene.objects[i].motion = Orbit{glm::dvec3(0), dice.point(0.7), dice.number(1, 3), -1};
+    EXPECT_TRUE(hasCells(scene));
+    std::vector<Shot> shots = kAround;
+    for (Shot shot : kAround) {
+        shot.time = 2.5;
+        shots.push_back(shot);
+    }
+    expectAlike(scene, shots, 100);
+    expectAlike(moved(scene, {1000.5, -2000.25, 4000}), {{{1000.8, -1999.45, 4003.2}, {1000.5, -2000.25, 4000}}}, 100);
+}
+
+TEST(Cells, LeaveLargeAndSmallObjectsAsTheyAre) {
+    std::vector<Shape> shapes = inACube(600, 0.6);
+    for (std::size_t i = 0; i < 6; ++i) shapes[100 * i].texels[0].w *= 6; // in many cells
+    EXPECT_TRUE(hasCells(studio(shapes)));
+    expectAlike(studio(shapes), kAround, 100);
+}
+
 // ---- Shadow cones, which ask for the distance of whatever is nearest
 
 /// Of lights as large as that; so few steps that llvmpipe, which ends all loops of a pixel after 65 536 turns, asks all

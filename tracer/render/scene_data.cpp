@@ -108,6 +108,13 @@ std::vector<std::pair<std::string, int>> constantsOf(const Features& features) {
             constants.insert(constants.end(), {{name + "Grid", texel}, {name + "Nodes", nodesFor(kind.loose())}});
             texel += hierarchyTexels(kind.loose());
         }
+        if (kind.search == Search::Cells) {
+            constants.insert(constants.end(), {{name + "Cells", texel},
+                                               {name + "CellsX", kind.cells.count.x},
+                                               {name + "CellsY", kind.cells.count.y},
+                                               {name + "CellsZ", kind.cells.count.z}});
+            texel += kind.cells.texels();
+        }
         if (kind.blockMembers() > 0 || kind.search != Search::Loop)
             constants.emplace_back(name + "Loose", kind.blockMembers());
     }
@@ -176,16 +183,16 @@ void ScenePacker::packSearches(const Features& features, const std::vector<Shape
         const auto shape = [&](std::size_t i) { return shapes[std::size_t(objects[i])]; };
         const auto members = std::size_t(kind.blockMembers());
         if (members > 0) appendTexels(kind.block, shape(0), shape(members - 1), texels_);
-        if (kind.search == Search::Hierarchy) packHierarchy(hierarchies_[k], objects.subspan(members), shapes, eye);
+        if (kind.search != Search::Hierarchy && kind.search != Search::Cells) continue;
+        bounds_.clear();
+        for (const int i : objects.subspan(members)) bounds_.push_back(*boundsOf(shapes[std::size_t(i)]));
+        if (kind.search == Search::Cells) {
+            appendCells(kind.cells, bounds_, texels_);
+        } else {
+            update(hierarchies_[k], bounds_);
+            appendTexels(hierarchies_[k], eye, texels_);
+        }
     }
-}
-
-void ScenePacker::packHierarchy(Hierarchy& hierarchy, std::span<const int> objects, const std::vector<Shape>& shapes,
-                                glm::vec3 eye) {
-    bounds_.clear();
-    for (const int i : objects) bounds_.push_back(*boundsOf(shapes[std::size_t(i)]));
-    update(hierarchy, bounds_);
-    appendTexels(hierarchy, eye, texels_);
 }
 
 void ScenePacker::packLights() {

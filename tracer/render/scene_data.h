@@ -44,7 +44,6 @@ class ScenePacker {
     std::vector<Shape> shapesAbout(double time) const;
     void packShapes(const std::vector<Shape>&, glm::dvec3 eye);
     void packSearches(const Features&, const std::vector<Shape>&, glm::vec3 eye);
-    void packHierarchy(Hierarchy&, std::span<const int> objects, const std::vector<Shape>&, glm::vec3 eye);
     void packLights();
     void packGlows(const std::vector<Shape>&);
 

@@ -1,6 +1,7 @@
 /// Which parts of the shader library a scene needs, and nothing about how large its numbers are.
 #pragma once
 
+#include "tracer/accel/cells.h"
 #include "tracer/render/settings.h"
 #include "tracer/scene/scene.h"
 
@@ -12,9 +13,10 @@ namespace gnomon {
 
 /// How rays find those objects of a kind that they may meet.
 enum class Search {
-    Loop,     ///< all are asked
-    Sieve,    ///< the balls of all, then the objects whose balls the ray does not pass by
-    Hierarchy ///< boxes
+    Loop,      ///< all are asked
+    Sieve,     ///< the balls of all, then the objects whose balls the ray does not pass by
+    Hierarchy, ///< boxes
+    Cells      ///< the lists of a grid's cells
 };
 
 /// Objects of one kind, numbered as layoutOf() says: the first `casters` of them cast shadows.
@@ -23,6 +25,7 @@ struct KindCount {
     int count = 0, casters = 0;
     glm::ivec3 block{0};          ///< cells of the block that the first objects make and rays walk through; else 0
     Search search = Search::Loop; ///< for the others
+    CellPlan cells{};             ///< where that is the search
     bool images = false;          ///< on some of them: their surfaces tell where on an image a point lies
     int form = 0;                 ///< of solids: a number for each form
     std::shared_ptr<const Solid> solid{};
@@ -59,8 +62,8 @@ struct GlslTarget {
     bool processor = false; ///< the processor draws: indexing a block costs it more than a fetch from a texture
 };
 
-/// Pure: the same scene, settings and target give the same features. `settings.data` Auto takes a block where that holds
-/// the scene and a GPU draws.
+/// Pure: the same scene, settings and target give the same features. `settings.data` Auto takes a block where that
+/// holds the scene and a GPU draws.
 Features featuresOf(const Scene&, const Settings&, const GlslTarget&);
 
 } // namespace gnomon

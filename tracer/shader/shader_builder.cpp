@@ -34,6 +34,7 @@ void addSearch(const KindCount& kind, Names& names) {
     names.values[type + "_BLOCK"] = block;
     names.values["SEARCHES"] |= int(searched);
     names.values["BLOCKS"] |= int(block);
+    names.values["CELL_GRIDS"] |= int(kind.search == Search::Cells);
     names.values["HIERARCHIES"] |= int(kind.search == Search::Hierarchy);
     constexpr int kPart = 4; // balls that GPUs may hold at once
     names.lists[type + "_SIEVE"];
@@ -107,6 +108,7 @@ Names namesOf(const Features& f) {
         {"WORK", int(Aov::Work)},
         {"STEPS", int(Aov::Steps)},
         {"HIERARCHY", int(Search::Hierarchy)},
+        {"CELLS", int(Search::Cells)},
     };
     // Solids have shapes for parts that the scene has no object of.
     for (const ShapeRow& row : shapeTable()) names.values[mapped(std::string(row.type), std::toupper) + "_IMAGES"] = 0;
