@@ -82,6 +82,7 @@ int compareFiles(const ReportOptions& options) {
     comparison.environment.emplace_back("tolerance", "times and ratios " + toString(options.tolerance) +
                                                          " % beyond noise, errors " + toString(100 * kErrorTolerance) +
                                                          " %, counts none");
+    comparison.environment.emplace_back("confidence", "95 % for all intervals of a column together");
     print(comparison);
     if (!options.json.empty() && !writeText(options.json, toJson(comparison), problems))
         return fail(kInputWrong, problems);

@@ -47,7 +47,7 @@ std::vector<Cell> rowOf(const ShadowCosts& costs, const ShadowCost& cost) {
     std::vector<Cell> row = keysOf(costs, cost.way);
     const Quartiles frame = quartilesOf(cost.seconds);
     row.insert(row.end(), {1e3 * frame.median, 1e3 * frame.low, 1e3 * frame.high, ratio.median, ratio.low, ratio.high,
-                           cost.evaluations, Cell{}});
+                           double(cost.seconds.size()), cost.evaluations, Cell{}});
     if (cost.shadowRays) row.back() = *cost.shadowRays;
     const Errors& fraction = cost.visibility;
     row.insert(row.end(), {fraction.rmse, fraction.mean, fraction.most999, fraction.most, cost.picture.rmse});
@@ -82,6 +82,7 @@ Table shadowTable(const std::vector<ShadowCosts>& all) {
         {"ratio", "frame time", "no shadows = 1", "In the same round: median", Kind::Ratio, Better::Lower},
         {"ratio_low", "frame time, lower quartile", "", "Of the rounds"},
         {"ratio_high", "frame time, upper quartile", "", "Of the rounds"},
+        {"rounds", "rounds", "", "Measured"},
         {"evaluations", "evaluations", "a pixel", "Of distances, for shadows: mean", Kind::Count, Better::Lower},
         {"shadow_rays", "shadow rays", "a pixel", "Mean", Kind::Count, Better::Lower},
         {"rmse", "error", "light fraction", "Root of the mean square, over pixels that see a surface", Kind::Error,

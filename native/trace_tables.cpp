@@ -13,6 +13,8 @@ constexpr double kRightChoice = 1.15;
 
 Cell number(double value) { return value; }
 
+double roundsOf(const TraceCost& cost) { return double(cost.seconds.size()); }
+
 double milliseconds(const TraceCost& cost) { return 1e3 * quartilesOf(cost.seconds).median; }
 
 void appendQuartiles(const Quartiles& all, std::vector<Cell>& row) {
@@ -47,6 +49,8 @@ const std::vector<Column> kWorkColumns{
     {"objects", "objects", "a pixel", "Objects asked where a ray meets them: mean", Kind::Count, Better::Lower},
     {"shadow_rays", "shadow rays", "a pixel", "Mean", Kind::Count, Better::Lower}};
 
+const Column kRoundsColumn{"rounds", "rounds", "", "Measured"};
+
 std::vector<Cell> viewRow(const ViewCosts& view, const TraceCost& cost) {
     std::vector<Cell> row{view.view, nameOf(cost.way), dataOf(cost.way)};
     appendFrame(cost, row);
@@ -57,7 +61,7 @@ std::vector<Cell> viewRow(const ViewCosts& view, const TraceCost& cost) {
     else
         row.resize(row.size() + 3);
     appendWork(cost.work, row);
-    row.insert(row.end(), {double(cost.program.sourceBytes), cost.program.compileMs});
+    row.insert(row.end(), {double(cost.program.sourceBytes), cost.program.compileMs, roundsOf(cost)});
     return row;
 }
 
@@ -91,6 +95,7 @@ void addChoice(const std::string& picture, const std::vector<TraceCost>& costs, 
     const Quartiles ratio = ratioOf(chosen->seconds, best->seconds);
     std::vector<Cell> row{picture, dataOf(chosen->way), chosen->search, nameOf(best->way)};
     appendQuartiles(ratio, row);
+    row.emplace_back(roundsOf(*chosen));
     row.emplace_back(ratio.median <= kRightChoice ? "yes" : "no");
     table.rows.push_back(std::move(row));
 }
@@ -121,6 +126,7 @@ Table viewTable(const std::vector<ViewCosts>& views) {
     table.columns.push_back({"source", "source", "bytes", "Of the specialised shader", Kind::Count, Better::Lower});
     table.columns.push_back(
         {"compile", "compile", "ms", "Compiled, linked and first drawn, nothing cached: wall clock"});
+    table.columns.push_back(kRoundsColumn);
     for (const ViewCosts& view : views)
         for (const TraceCost& cost : view.ways) table.rows.push_back(viewRow(view, cost));
     return table;
@@ -144,6 +150,7 @@ Table growthTable(const std::vector<GrowthCosts>& growth) {
          "A frame's numbers, boxes fitted and children sorted, when all spheres move; regular ones rest"});
     table.columns.push_back({"load", "load", "ms of one core",
                              "From the scene to its first frame's numbers: search chosen, hierarchy built"});
+    table.columns.push_back(kRoundsColumn);
     for (const GrowthCosts& spheres : growth)
         for (const GrowthCosts::Way& way : spheres.ways) {
             std::vector<Cell> row{std::string(nameOf(spheres.arrangement)), double(spheres.spheres),
@@ -151,7 +158,7 @@ Table growthTable(const std::vector<GrowthCosts>& growth) {
             appendFrame(way.cost, row);
             appendQuartiles(growthOf(growth, spheres, way.cost), row);
             appendWork(way.cost.work, row);
-            row.insert(row.end(), {way.packMs, way.loadMs});
+            row.insert(row.end(), {way.packMs, way.loadMs, roundsOf(way.cost)});
             table.rows.push_back(std::move(row));
         }
     return table;
@@ -167,6 +174,7 @@ Table choiceTable(const std::vector<ViewCosts>& views, const std::vector<GrowthC
                       Kind::Ratio, Better::Lower},
                      {"ratio_low", "auto, lower quartile", "", "Of the rounds"},
                      {"ratio_high", "auto, upper quartile", "", "Of the rounds"},
+                     kRoundsColumn,
                      {"right", "right", "", "Within 15 % of the best"}};
     for (const ViewCosts& view : views)
         for (const DataPath data : {DataPath::Block, DataPath::Texture}) addChoice(view.view, view.ways, data, table);

@@ -189,7 +189,8 @@ Table intersectTable(const std::vector<IntersectRow>& rows) {
          {"naive_point_most", "textbook: point, 99.9 %", "2^-23", "As point", Kind::Error},
          {"cost", "cost", "textbook = 1", "Time of ours to the textbook's, interleaved: median", Kind::Ratio},
          {"cost_low", "cost, lower quartile", "textbook = 1", "Of the pairs"},
-         {"cost_high", "cost, upper quartile", "textbook = 1", "Of the pairs"}});
+         {"cost_high", "cost, upper quartile", "textbook = 1", "Of the pairs"},
+         {"rounds", "pairs", "", "Timed for the cost"}});
     for (const IntersectRow& row : rows) {
         const Tally& ours = row.ours;
         const auto share = [&](const Tally& tally) -> Cell {
@@ -209,7 +210,7 @@ Table intersectTable(const std::vector<IntersectRow>& rows) {
         for (const Spread* values : {&ours.t, &ours.ray, &ours.point, &ours.normal})
             cells.insert(cells.end(), {values->median, values->most, values->worst});
         cells.insert(cells.end(), {share(ours), share(row.naive), double(row.naive.elsewhere), row.naive.ray.most,
-                                   row.naive.point.most, row.cost.median, row.cost.low, row.cost.high});
+                                   row.naive.point.most, row.cost.median, row.cost.low, row.cost.high, double(kPairs)});
         table.rows.push_back(std::move(cells));
     }
     return table;

@@ -110,7 +110,7 @@ describe('a page of several runs', () => {
     assert.equal(rows.length, 8);
     for (const cells of rows) {
       assert.equal(cells.length, 9, 'scene, context, size, depth, shadows, old, new, ratio, verdict');
-      assert.match(cells[7], /^\d+\.\d+ ?\d+\.\d+ … \d+\.\d+$/);
+      assert.match(cells[7], /^\d+\.\d+ ?\d+\.\d+ … (\d+\.\d+|inf)$/);
       assert.match(cells[8], /^(faster|slower|the same within noise)$/);
     }
   });
@@ -121,7 +121,6 @@ describe('a page of several runs', () => {
       ['Frames a second', 'frame', 'time', '8'], ['Frames a second', 'ratio', 'ratio', '8'], ['Frames a second', 'source', 'count', '8'],
     ]);
     for (const cells of rows) assert.equal(cells.slice(4, 7).map(Number).reduce((a, b) => a + b), 8);
-    for (const cells of rows.slice(0, 2)) assert.ok(Number(cells[7]) > 0 && Number(cells[7]) <= 1, cells[7]);
     assert.deepEqual(rows[2].slice(4, 7), ['0', '0', '8'], 'the same program has the same shaders');
   });
 

@@ -102,8 +102,7 @@ struct Timed {
         const double *low = std::get_if<double>(&row[quartiles.low]), *middle = std::get_if<double>(&row[median]),
                      *high = std::get_if<double>(&row[quartiles.high]);
         if (!low || !middle || !high || *middle <= 0) return std::nullopt;
-        const double all = countOf(row, rounds);
-        return Spread{{*low, *middle, *high}, all, passes ? countOf(row, passes) : all};
+        return Spread{{*low, *middle, *high}, countOf(row, passes ? passes : rounds)};
     }
 };
 
@@ -119,10 +118,13 @@ std::optional<Timed> timed(const Table& table, const std::string& key) {
 struct TimedTwice {
     Timed before, after;
 
-    std::optional<Ratio> ratio(const Pair& pair) const {
+    /// What a row has of both.
+    struct Spreads {
+        Spread before, after;
+    };
+    std::optional<Spreads> of(const Pair& pair) const {
         const auto was = before.of(*pair.before), is = after.of(*pair.after);
-        if (!was || !is) return std::nullopt;
-        return ratioOfMedians(*is, *was);
+        return was && is ? std::optional(Spreads{*was, *is}) : std::nullopt;
     }
 };
 
@@ -189,7 +191,6 @@ struct Twins {
 /// How many rows became what.
 struct Tally {
     std::array<int, 3> rows{}; // as Verdict
-    int noisy = 0;             // rows that noise alone may let seem to differ
     int& operator[](Verdict verdict) { return rows[std::size_t(verdict)]; }
 };
 
@@ -202,30 +203,15 @@ Table summaryTable() {
              {"rows", "rows", "", "Compared"},
              {"improved", "better", "", "Faster, nearer to what is right, or less"},
              {"worsened", "worse", "", "Slower, farther from what is right, or more"},
-             {"same", "the same", "", "Within noise and tolerance"},
-             {"chance", "odds", "",
-              "That so many rows or more seem to differ though nothing changed: the intervals miss one time in twenty. "
-              "Rows told by one baseline share its luck, which makes it likelier"}},
+             {"same", "the same", "", "Within noise or tolerance"}},
             {},
             2};
-}
-
-/// Of so many intervals, each of which misses with the odds of `miss`, that at least `seen` do.
-double oddsOf(int seen, int all, double miss) {
-    double fewer = 0, exactly = std::pow(1 - miss, all);
-    for (int i = 0; i < seen; ++i) {
-        fewer += exactly;
-        exactly *= (all - i) * miss / ((i + 1) * (1 - miss));
-    }
-    return std::clamp(1 - fewer, 0.0, 1.0);
 }
 
 void addSummary(const Table& of, const Column& column, Tally tally, Table& summary) {
     const auto& [improved, worsened, same] = tally.rows;
     summary.rows.push_back({of.title, column.title, std::string(nameOf(column.kind)),
                             double(improved + worsened + same), double(improved), double(worsened), double(same)});
-    const Cell chance = tally.noisy > 0 ? Cell(oddsOf(improved + worsened, tally.noisy, kNotchMiss)) : Cell{};
-    summary.rows.back().push_back(chance);
 }
 
 // --- times -----------------------------------------------------------------------------------------------------------
@@ -246,10 +232,12 @@ Table timeTable(const Twins& twins, const Column& measured) {
     appendColumns("old", measured.unit, "Median", "Quartile of the rounds", table);
     appendColumns("new", measured.unit, "Median", "Quartile of the rounds", table);
     appendColumns("ratio", "old = 1",
-                  "Of the medians in yardsticks, where both runs have them, and what noise leaves it",
+                  "Of the medians in yardsticks, where both runs have them, and what noise leaves it: the intervals of "
+                  "all rows hold together with 95 %",
                   "End of the interval that noise leaves the ratio", table);
-    table.columns.push_back(
-        {"verdict", "new is", "", "faster or slower where neither noise nor tolerance explains it"});
+    table.columns.push_back({"verdict", "new is", "",
+                             "faster or slower where neither noise nor tolerance explains it: of one program twice, in "
+                             "one of twenty such tables at most"});
     return table;
 }
 
@@ -260,21 +248,26 @@ Verdict verdictOf(const Ratio& ratio, Better better, double tolerance) {
 }
 
 Table compareTimes(const Twins& twins, const Measured& measured, double tolerance, Tally& tally) {
+    struct Row {
+        const Pair& pair;
+        TimedTwice::Spreads shown, counted;
+    };
+    std::vector<Row> rows; // all of them, for an interval's width depends on how many there are
+    for (const Pair& pair : twins.pairs)
+        if (const auto shown = measured.shown.of(pair), counted = measured.counted.of(pair); shown && counted)
+            rows.push_back({pair, *shown, *counted});
     Table table = timeTable(twins, measured.column);
-    for (const Pair& pair : twins.pairs) {
-        const auto was = measured.shown.before.of(*pair.before), is = measured.shown.after.of(*pair.after);
-        const auto ratio = measured.counted.ratio(pair);
-        if (!was || !is || !ratio) continue;
-        const Verdict verdict = verdictOf(*ratio, measured.column.better, tolerance);
-        std::vector<Cell> row = twins.keyCells(pair);
-        const Quartiles &old = was->quartiles, &now = is->quartiles;
+    for (const Row& row : rows) {
+        const Ratio ratio = ratioOfMedians(row.counted.after, row.counted.before, rows.size());
+        const Verdict verdict = verdictOf(ratio, measured.column.better, tolerance);
+        std::vector<Cell> cells = twins.keyCells(row.pair);
+        const Quartiles &old = row.shown.before.quartiles, &now = row.shown.after.quartiles;
         for (const double value :
-             {old.median, old.low, old.high, now.median, now.low, now.high, ratio->value, ratio->low, ratio->high})
-            row.emplace_back(value);
-        row.emplace_back(std::string(wordFor(measured.column, verdict)));
-        table.rows.push_back(std::move(row));
+             {old.median, old.low, old.high, now.median, now.low, now.high, ratio.value, ratio.low, ratio.high})
+            cells.emplace_back(value);
+        cells.emplace_back(std::string(wordFor(measured.column, verdict)));
+        table.rows.push_back(std::move(cells));
         ++tally[verdict];
-        tally.noisy += ratio->low < ratio->high;
     }
     return table;
 }

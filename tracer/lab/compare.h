@@ -2,9 +2,10 @@
 ///
 /// Rows are the same where their key columns are (Table::keys); what is compared says Column::kind.
 /// Time, Ratio  where they have quartiles: what a single measurement says is chance. The interval of new to old is that
-///              of quartiles.h, with the rows' `passes` or `rounds`, or one where neither is told. A row is faster or
-///              slower where the interval does not hold 1 and the ratio is farther from it than a tolerance: runs of
-///              one and the same program differ by more than their spreads tell (docs/bench.md). Where a column
+///              of quartiles.h, with the rows' `passes` or `rounds`; without bounds where neither is told. Those of all
+///              rows of a column hold together with 95 %. A row is faster or slower where its interval does not hold 1,
+///              which a column of one program twice has in one of twenty at most, and the ratio is farther from 1 than
+///              a tolerance: what lasts for a run is in none of its spreads (docs/bench.md). Where a column
 ///              KEY_yards tells a time in yardsticks, the ratio is that of yardsticks, from which the machine's other
 ///              work cancels, and times without are passed over.
 /// Error        better or worse where its size changed by more than kErrorTolerance: there is no noise, but compilers
