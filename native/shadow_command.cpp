@@ -139,7 +139,7 @@ void addShadowLab(CLI::App& lab, Task& task) {
     list("--models", options->models, "Shadow models, as --shadows names them [all]", "MODEL,…");
     list("--radii", options->plan.radii, "Light radii [the scene's own]", "R,…");
     list("--epsilons", options->plan.epsilons, "Of the cone marches [1/10,1/30,1/256]", "E,…");
-    list("--samples", options->plan.samples, "Of Monte Carlo [1,4,16,64]", "N,…");
+    list("--samples", options->plan.samples, "Of the Monte Carlo models [1,4,16,64]", "N,…");
     shadows
         ->add_option("--directions", options->directions, "a: from the surface only, ab: from the light as well [ab]")
         ->type_name("a|ab");

@@ -126,6 +126,7 @@ Settings settingsFor(const ShadowPlan& plan, const ShadowWay& way, std::optional
 }
 
 bool marchesCones(ShadowModel model) { return model >= ShadowModel::ConeBase && model <= ShadowModel::ConeConvex; }
+bool takesSamples(ShadowModel model) { return shadowRow(model).stretch > 0; }
 
 Errors errorsOf(std::vector<double> differences) {
     if (differences.empty()) return {};
@@ -147,7 +148,7 @@ Errors errorsOf(std::vector<double> differences) {
 std::vector<ShadowWay> waysOf(const ShadowPlan& plan) {
     std::vector<ShadowWay> ways;
     for (const ShadowModel model : plan.models) {
-        if (model == ShadowModel::Montecarlo) {
+        if (takesSamples(model)) {
             for (const int samples : plan.samples) ways.push_back({model, Direction::FromSurface, 1.0 / 30, samples});
         } else if (marchesCones(model)) {
             for (const double epsilon : plan.epsilons)

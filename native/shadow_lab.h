@@ -18,11 +18,10 @@ struct ShadowWay {
     Direction direction = Direction::FromSurface;
     double epsilon = 1.0 / 30;
     int samples = 64;
-
-    bool operator==(const ShadowWay&) const = default;
 };
 /// Whether the model has an epsilon and a direction, or samples.
 bool marchesCones(ShadowModel);
+bool takesSamples(ShadowModel);
 
 /// Differences from the reference over the pixels that see a surface.
 struct Errors {

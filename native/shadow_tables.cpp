@@ -21,14 +21,15 @@ double median(const std::vector<double>& seconds) { return quartilesOf(seconds).
 /// `cone-linear 1/30 A`, `montecarlo 16`.
 std::string nameOf(const ShadowWay& way) {
     std::string name(shadowRow(way.model).key);
-    if (way.model == ShadowModel::Montecarlo) return name + " " + std::to_string(way.samples);
+    if (takesSamples(way.model)) return name + " " + std::to_string(way.samples);
     if (!marchesCones(way.model)) return name;
     return name + " 1/" + std::to_string(std::lround(1 / way.epsilon)) + " " + nameOf(way.direction);
 }
 
+/// By name: 1/30 as a command line tells it is not quite the same number.
 const ShadowCost* find(const ShadowCosts& costs, const ShadowWay& way) {
-    const auto found =
-        std::find_if(costs.ways.begin(), costs.ways.end(), [&](const ShadowCost& cost) { return cost.way == way; });
+    const auto found = std::find_if(costs.ways.begin(), costs.ways.end(),
+                                    [&](const ShadowCost& cost) { return nameOf(cost.way) == nameOf(way); });
     return found == costs.ways.end() ? nullptr : &*found;
 }
 
@@ -38,7 +39,7 @@ std::vector<Cell> keysOf(const ShadowCosts& costs, const ShadowWay& way) {
         row[3] = nameOf(way.direction);
         row[4] = way.epsilon;
     }
-    if (way.model == ShadowModel::Montecarlo) row[5] = double(way.samples);
+    if (takesSamples(way.model)) row[5] = double(way.samples);
     return row;
 }
 
@@ -55,12 +56,18 @@ std::vector<Cell> rowOf(const ShadowCosts& costs, const ShadowCost& cost) {
     return row;
 }
 
-/// The Monte Carlo way whose time comes nearest to `seconds` without passing it; the cheapest where all take longer.
-const ShadowCost* monteCarloWithin(const ShadowCosts& costs, double seconds) {
+double timeOf(const ShadowCost& cost) { return median(cost.seconds); }
+double evaluationsOf(const ShadowCost& cost) { return cost.evaluations; }
+
+/// Of one model the way that comes nearest to `most` without passing it; the cheapest where all do.
+const ShadowCost* nearestWithin(const ShadowCosts& costs, ShadowModel model, double (*priceOf)(const ShadowCost&),
+                                double most) {
     const ShadowCost* best = nullptr;
     for (const ShadowCost& cost : costs.ways) {
-        if (cost.way.model != ShadowModel::Montecarlo) continue;
-        if (!best || (median(cost.seconds) <= seconds && cost.way.samples > best->way.samples)) best = &cost;
+        if (cost.way.model != model) continue;
+        const double price = priceOf(cost);
+        const bool dearer = best && price > priceOf(*best), within = best && priceOf(*best) <= most;
+        if (!best || (within ? dearer && price <= most : !dearer)) best = &cost;
     }
     return best;
 }
@@ -75,7 +82,7 @@ Table shadowTable(const std::vector<ShadowCosts>& all) {
         {"model", "model", "", "As --shadows says"},
         {"direction", "direction", "", "A: from the surface, B: from the light"},
         {"epsilon", "epsilon", "", "Error of the light fraction that cones may make"},
-        {"samples", "samples", "", "Shadow rays to a light"},
+        {"samples", "samples", "", "Points of a light that are looked at"},
         {"frame", "frame", "ms", "Median of the rounds", Kind::Time, Better::Lower},
         {"frame_low", "frame, lower quartile", "ms", "Of the rounds"},
         {"frame_high", "frame, upper quartile", "ms", "Of the rounds"},
@@ -136,6 +143,7 @@ Table rivalTable(const std::vector<ShadowCosts>& all) {
                      {"way", "way", "", "Model with epsilon and direction, or samples"},
                      {"time", "frame time", "linear = 1", "In the same round: median"},
                      {"rmse", "error", "linear = 1", "Of the light fraction: root of the mean square"},
+                     {"picture", "error of the picture", "linear = 1", "Root of the mean square of the linear colours"},
                      {"evaluations", "evaluations", "linear = 1", "Of distances"},
                      {"front", "front", "", "No other way is both faster and nearer to the reference"}};
     for (const ShadowCosts& costs : all) {
@@ -146,12 +154,19 @@ Table rivalTable(const std::vector<ShadowCosts>& all) {
             std::vector<Cell> row{costs.scene, costs.radius, nameOf(cost->way)};
             row.insert(row.end(),
                        {ratioOf(cost->seconds, linear->seconds).median, cost->visibility.rmse / linear->visibility.rmse,
-                        cost->evaluations / linear->evaluations});
+                        cost->picture.rmse / linear->picture.rmse, cost->evaluations / linear->evaluations});
             row.emplace_back(cost->front ? "yes" : "no");
             table.rows.push_back(std::move(row));
         };
         add(find(costs, {ShadowModel::Silhouette}));
-        add(monteCarloWithin(costs, median(linear->seconds)));
+        for (const ShadowRow& row : kShadowModels) {
+            if (!takesSamples(row.model)) continue;
+            const ShadowCost* inTime = nearestWithin(costs, row.model, timeOf, timeOf(*linear));
+            add(inTime);
+            if (!row.distances) continue;
+            const ShadowCost* inWork = nearestWithin(costs, row.model, evaluationsOf, linear->evaluations);
+            if (inWork != inTime) add(inWork);
+        }
         add(find(costs, {ShadowModel::ConeBase, Direction::FromSurface, kLinearEpsilon}));
         add(find(costs, {ShadowModel::ConeConvex, Direction::FromSurface, kLinearEpsilon}));
         add(find(costs, {ShadowModel::Quilez}));

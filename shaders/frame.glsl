@@ -8,7 +8,7 @@
 //                           shadow cones may make, z: radius of all lights, negative: each its own
 // canvas                    xy: size in pixels
 // limits                    x: deepest ray 1 … 8, y: light of the visibility output, z: 1 to encode for a display
-// budget                    most steps, x: of a shadow cone, z: of a ray to a distance object; y: shadow rays to a light, w: the
+// budget                    most steps, x: of a march to a light, z: of a ray to a distance object; y: samples of a light, w: the
 //                           first of them in their sequence
 // channels                  xyz: which of r, g, b each output channel shows
 // zero                      0, opaque to the compiler (ray/split.glsl)

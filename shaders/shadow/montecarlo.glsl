@@ -1,50 +1,5 @@
-// Soft shadow by `samples` rays to points of the light's disc: (phi, sqrt(u)) of Halton's sequence in bases 2 and 3, shifted
-// at random from pixel to pixel, so that too few samples show as noise and not as bands.
+// Soft shadow by rays to points of the light's disc.
 //
-// Error  falls about as 1 / samples^(3/4); unbiased, so with enough samples it is the reference of the others
-// Limits llvmpipe ends all loops of a pixel after 65 536 turns in all: what is read back takes many samples in several draws
-//        (Renderer), a window draws all at once
-// Source J. Halton, On the efficiency of certain quasi-random sequences, 1960; R. Cranley and T. Patterson, 1976, for the
-//        shift
-#include "shadow/frame_about.glsl"
-#include "shadow/pixel_shift.glsl"
-
-// The digits of `index` mirrored at the point: 32 of base 2, 20 of base 3.
-float mirrored2(uint index) {
-    index = (index << 16u) | (index >> 16u);
-    index = ((index & 0x00FF00FFu) << 8u) | ((index & 0xFF00FF00u) >> 8u);
-    index = ((index & 0x0F0F0F0Fu) << 4u) | ((index & 0xF0F0F0F0u) >> 4u);
-    index = ((index & 0x33333333u) << 2u) | ((index & 0xCCCCCCCCu) >> 2u);
-    index = ((index & 0x55555555u) << 1u) | ((index & 0xAAAAAAAAu) >> 1u);
-    return float(index >> 8u) / 16777216.0;
-}
-
-float mirrored3(uint index) {
-    float sum = 0.0;
-    float place = 1.0 / 3.0;
-    for (int i = 0; i < 20 && index > 0u; ++i) {
-        sum += place * float(index % 3u);
-        index /= 3u;
-        place /= 3.0;
-    }
-    return sum;
-}
-
-float visibility(Beam beam) {
-    mat2x3 across = frameAbout(beam.ray.direction);
-    float slope = discSlope(beam.distance, beam.lightRadius);
-    vec2 shift = pixelShift(floatBitsToUint(beam.ray.direction.x));
-    int seen = 0;
-    for (int i = 0; i < frame.budget.y; ++i) {
-        uint index = uint(frame.budget.w + i + 1);
-        vec2 u = fract(vec2(mirrored2(index), mirrored3(index)) + shift);
-        float phi = 6.28318530717959 * u.x;
-        vec3 toDisc = beam.ray.direction + slope * sqrt(u.y) * (across * vec2(cos(phi), sin(phi)));
-        float stretch = length(toDisc);
-        Ray ray = beam.ray;
-        ray.direction = toDisc / stretch;
-        if (dot(ray.direction, beam.normal) <= 0.0 && ray.self >= 0) continue; // below the horizon: the body itself
-        if (!occluded(ray, beam.distance * stretch - ray.tMin)) ++seen;
-    }
-    return float(seen) / float(max(frame.budget.y, 1));
-}
+// Error  that of few samples (shadow/samples.glsl); unbiased, so with enough of them it is the reference of the others
+bool hidden(Beam toPoint) { return occluded(toPoint.ray, toPoint.distance - toPoint.ray.tMin); }
+#include "shadow/samples.glsl"

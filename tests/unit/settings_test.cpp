@@ -154,7 +154,8 @@ TEST(Settings, SaysWhatIsWrongWhatTheRangeIsAndWhatMayBeMeant) {
     EXPECT_EQ(complaint("depth", "9"), "command line: depth: 9 is out of range; use 1…8\n");
     EXPECT_EQ(complaint("depth", "many"), "command line: depth: 'many' is not a whole number; use 1…8\n");
     EXPECT_EQ(complaint("shadows", "haard"),
-              "command line: shadows: 'haard' is none of off|hard|montecarlo|quilez|aaltonen|cone-base|cone-linear|"
+              "command line: shadows: 'haard' is none of "
+              "off|hard|montecarlo|montecarlo-march|quilez|aaltonen|cone-base|cone-linear|"
               "cone-discrete|cone-convex|silhouette; did you mean 'hard'?\n");
     EXPECT_EQ(complaint("shadow", "hard"), "command line: there is no setting 'shadow'; did you mean 'shadows'?\n");
     EXPECT_EQ(complaint("size", "800"), "command line: size: '800' is not a size; use WIDTHxHEIGHT, as 800x600\n");

@@ -12,6 +12,7 @@ namespace {
 ShadowCost cost(ShadowWay way, double seconds, double rmse, double evaluations = 10) {
     ShadowCost one{way, {seconds, seconds, seconds}, evaluations, {}, {}, {}, false, {}};
     one.visibility.rmse = rmse;
+    one.picture.rmse = rmse / 2;
     return one;
 }
 
@@ -29,12 +30,12 @@ TEST(ShadowErrors, AreOfAllDifferences) {
 
 TEST(ShadowWays, TakeWhatTheirModelDependsOn) {
     ShadowPlan plan;
-    plan.models = {ShadowModel::Hard, ShadowModel::Montecarlo, ShadowModel::ConeLinear};
+    plan.models = {ShadowModel::Hard, ShadowModel::Montecarlo, ShadowModel::MontecarloMarch, ShadowModel::ConeLinear};
     plan.epsilons = {0.1, 0.01};
     plan.samples = {2, 8, 32};
-    EXPECT_EQ(waysOf(plan).size(), 1U + 3U + 2U * 2U);
+    EXPECT_EQ(waysOf(plan).size(), 1U + 3U + 3U + 2U * 2U);
     plan.bothDirections = false;
-    EXPECT_EQ(waysOf(plan).size(), 1U + 3U + 2U);
+    EXPECT_EQ(waysOf(plan).size(), 1U + 3U + 3U + 2U);
 }
 
 TEST(ShadowTables, HoldEveryWayAndItsRivals) {
@@ -44,17 +45,32 @@ TEST(ShadowTables, HoldEveryWayAndItsRivals) {
     costs.ways.push_back(cost({ShadowModel::Montecarlo, Direction::FromSurface, 1.0 / 30, 1}, 1.5, 0.2, 0));
     costs.ways.push_back(cost({ShadowModel::Montecarlo, Direction::FromSurface, 1.0 / 30, 16}, 3.9, 0.05, 0));
     costs.ways.push_back(cost({ShadowModel::Montecarlo, Direction::FromSurface, 1.0 / 30, 64}, 12, 0.02, 0));
-    EXPECT_EQ(shadowTable({costs}).rows.size(), 5U);
+    costs.ways.push_back(cost({ShadowModel::MontecarloMarch, Direction::FromSurface, 1.0 / 30, 16}, 20, 0.06, 160));
+    costs.ways.push_back(cost({ShadowModel::MontecarloMarch, Direction::FromSurface, 1.0 / 30, 4}, 6, 0.12, 38));
+    costs.ways.push_back(cost({ShadowModel::MontecarloMarch, Direction::FromSurface, 1.0 / 30, 2}, 4.5, 0.2, 20));
+    EXPECT_EQ(shadowTable({costs}).rows.size(), 8U);
     const Table variants = variantTable({costs});
     ASSERT_EQ(variants.rows.size(), 1U);
     EXPECT_EQ(variants.rows[0][5], Cell(4.0)) << "beside a frame without shadows";
     EXPECT_EQ(variants.rows[0][4], Cell{}) << "the base variant was not measured";
     const Table rivals = rivalTable({costs});
-    ASSERT_EQ(rivals.rows.size(), 2U);
+    ASSERT_EQ(rivals.rows.size(), 4U);
     EXPECT_EQ(rivals.rows[0][2], Cell(std::string("silhouette")));
     EXPECT_EQ(rivals.rows[0][3], Cell(0.5));
     EXPECT_EQ(rivals.rows[0][4], Cell(0.25));
     EXPECT_EQ(rivals.rows[1][2], Cell(std::string("montecarlo 16"))) << "the most samples in the same time";
+    EXPECT_EQ(rivals.rows[2][2], Cell(std::string("montecarlo-march 2"))) << "all take longer: the fastest";
+    EXPECT_EQ(rivals.rows[3][2], Cell(std::string("montecarlo-march 4"))) << "the most in as many evaluations";
+    EXPECT_EQ(rivals.rows[3][4], Cell(3.0)) << "error of the fraction";
+    EXPECT_EQ(rivals.rows[3][5], Cell(3.0)) << "and of the picture";
+    EXPECT_EQ(rivals.rows[3][6], Cell(0.95)) << "evaluations";
+}
+
+TEST(ShadowTables, TakeARoundedEpsilonForWhatItIsCalled) {
+    ShadowWay linear{ShadowModel::ConeLinear};
+    linear.epsilon = 0.0333333;
+    const ShadowCosts costs{"simple", 0.5, {1}, {cost(linear, 4, 0.04), cost({ShadowModel::Quilez}, 2, 0.1)}, {}};
+    EXPECT_EQ(rivalTable({costs}).rows.size(), 1U);
 }
 
 TEST(ShadowTables, DrawTheFrontOfEachRadiusApart) {

@@ -46,9 +46,10 @@ struct Batch::Impl {
         const std::vector<std::byte> zeroes(kFrameBytes);
         glBindBuffer(GL_UNIFORM_BUFFER, frame.get());
         glBufferData(GL_UNIFORM_BUFFER, kFrameBytes, zeroes.data(), GL_DYNAMIC_DRAW);
-        const glm::vec4 options(0, pass.settings.epsilon, -1, 0);
+        const Settings& settings = pass.settings;
+        const glm::vec4 options(0, settings.epsilon, -1, 0);
         glBufferSubData(GL_UNIFORM_BUFFER, kOptionsAt, sizeof options, &options);
-        const glm::ivec4 budget(pass.settings.shadowSteps, pass.settings.samples, pass.settings.marchSteps, 0);
+        const glm::ivec4 budget(settings.shadowSteps, settings.samples, settings.marchSteps, settings.firstSample);
         glBufferSubData(GL_UNIFORM_BUFFER, kBudgetAt, sizeof budget, &budget);
         glBindBuffer(GL_UNIFORM_BUFFER, scene.get());
         glBufferData(GL_UNIFORM_BUFFER, GLsizeiptr(texels.size() * sizeof texels[0]), texels.data(), GL_STATIC_DRAW);

@@ -66,12 +66,12 @@ std::vector<std::string> facesOf(const Scene& scene) {
     return faces;
 }
 
-/// Shadow rays to a light that one draw takes where its picture is read back: llvmpipe ends all loops of a pixel after
+/// Samples of a light that one draw takes where its picture is read back: llvmpipe ends all loops of a pixel after
 /// 65 536 turns in all, and other drivers take a long draw for one that hangs.
-constexpr int kStretch = 32;
+int stretchOf(const Settings& settings) { return shadowRow(settings.shadows).stretch; }
 
 bool inStretches(const Settings& settings) {
-    return settings.shadows == ShadowModel::Montecarlo && settings.samples > kStretch &&
+    return stretchOf(settings) > 0 && settings.samples > stretchOf(settings) &&
            (settings.aov == Aov::Color || settings.aov == Aov::Visibility);
 }
 
@@ -383,11 +383,12 @@ struct Renderer::Impl {
     /// The mean of pictures that take a stretch of the samples each.
     FloatImage readInStretches(const View& view, Problems& problems) {
         const Settings& all = drawnSettings;
+        const int most = stretchOf(all);
         FloatImage sum;
-        for (int done = 0; done < all.samples && problems.empty(); done += kStretch) {
+        for (int done = 0; done < all.samples && problems.empty(); done += most) {
             Settings stretch = all;
             stretch.firstSample = all.firstSample + done;
-            stretch.samples = std::min(kStretch, all.samples - done);
+            stretch.samples = std::min(most, all.samples - done);
             FloatImage part = readOnce(view, stretch, problems);
             const float share = float(stretch.samples) / float(all.samples);
             if (sum.pixels.empty())

@@ -56,8 +56,10 @@ std::vector<SettingRow> makeTable() {
          {},
          {},
          Effect::Rebuild},
-        {"shadow-steps", IntType{&S::shadowSteps, 1, 4096}, "Light", "Steps after which a shadow cone gives up", 1},
-        {"samples", IntType{&S::samples, 1, 65536}, "Light", "Shadow rays to each light of `shadows=montecarlo`", 1},
+        {"shadow-steps", IntType{&S::shadowSteps, 1, 4096}, "Light", "Steps after which a march to a light gives up",
+         1},
+        {"samples", IntType{&S::samples, 1, 65536}, "Light",
+         "Points of each light that `shadows=montecarlo` and `montecarlo-march` look at", 1},
         {"first-sample", IntType{&S::firstSample, 0, 1 << 20}, "Light",
          "Where in their sequence the samples begin: pictures of stretches that follow one another average to that of "
          "all",

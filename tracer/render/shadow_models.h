@@ -12,6 +12,7 @@ enum class ShadowModel {
     Off,
     Hard,
     Montecarlo,
+    MontecarloMarch,
     Quilez,
     Aaltonen,
     ConeBase,
@@ -26,20 +27,22 @@ struct ShadowRow {
     std::string_view key;
     bool rays;      ///< asks whether rays are occluded: shaders/ray/nearest.glsl
     bool distances; ///< asks for distances of shapes
+    int stretch;    ///< of a light's samples so many in one draw where a picture is read back; 0: takes none
 };
 
 // clang-format off
 inline constexpr std::array kShadowModels{
-    ShadowRow{ShadowModel::Off,          "off",           false, false},
-    ShadowRow{ShadowModel::Hard,         "hard",          true,  false},
-    ShadowRow{ShadowModel::Montecarlo,   "montecarlo",    true,  false},
-    ShadowRow{ShadowModel::Quilez,       "quilez",        false, true},
-    ShadowRow{ShadowModel::Aaltonen,     "aaltonen",      false, true},
-    ShadowRow{ShadowModel::ConeBase,     "cone-base",     false, true},
-    ShadowRow{ShadowModel::ConeLinear,   "cone-linear",   false, true},
-    ShadowRow{ShadowModel::ConeDiscrete, "cone-discrete", false, true},
-    ShadowRow{ShadowModel::ConeConvex,   "cone-convex",   false, true},
-    ShadowRow{ShadowModel::Silhouette,   "silhouette",    false, true}};
+    ShadowRow{ShadowModel::Off,             "off",              false, false, 0},
+    ShadowRow{ShadowModel::Hard,            "hard",             true,  false, 0},
+    ShadowRow{ShadowModel::Montecarlo,      "montecarlo",       true,  false, 32},
+    ShadowRow{ShadowModel::MontecarloMarch, "montecarlo-march", false, true,  4},
+    ShadowRow{ShadowModel::Quilez,          "quilez",           false, true,  0},
+    ShadowRow{ShadowModel::Aaltonen,        "aaltonen",         false, true,  0},
+    ShadowRow{ShadowModel::ConeBase,        "cone-base",        false, true,  0},
+    ShadowRow{ShadowModel::ConeLinear,      "cone-linear",      false, true,  0},
+    ShadowRow{ShadowModel::ConeDiscrete,    "cone-discrete",    false, true,  0},
+    ShadowRow{ShadowModel::ConeConvex,      "cone-convex",      false, true,  0},
+    ShadowRow{ShadowModel::Silhouette,      "silhouette",       false, true,  0}};
 // clang-format on
 
 constexpr const ShadowRow& shadowRow(ShadowModel model) { return kShadowModels[std::size_t(model)]; }
