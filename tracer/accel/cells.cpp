@@ -153,7 +153,7 @@ std::optional<CellPlan> planCells(std::span<const Bounds> objects) {
 void appendCells(const CellPlan& plan, std::span<const Bounds> objects, std::vector<glm::vec4>& texels) {
     const std::size_t at = texels.size();
     texels.resize(at + std::size_t(plan.texels()));
-    const std::span<glm::vec4> all(texels.begin() + std::ptrdiff_t(at), texels.end());
+    const std::span<glm::vec4> all = std::span(texels).subspan(at);
     const Bounds box = unionOf(objects);
     Grid grid = gridOver(box, plan.count);
     for (double stretch = 1.5; !writeLists(grid, objects, all.subspan(kCellHeadTexels)); stretch *= 1.5)
