@@ -1,6 +1,9 @@
 #include "tracer/image.h"
 
+#include <algorithm>
+#include <array>
 #include <climits>
+#include <cmath>
 
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
@@ -17,6 +20,36 @@
 #pragma GCC diagnostic pop
 
 namespace gnomon {
+namespace {
+
+float toLinear(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
+float toSrgb(float c) { return c <= 0.0031308f ? c * 12.92f : 1.055f * std::pow(c, 1 / 2.4f) - 0.055f; }
+
+} // namespace
+
+Image halved(const Image& image, bool srgb) {
+    Image half{std::max(image.width / 2, 1), std::max(image.height / 2, 1), {}};
+    half.rgba.resize(std::size_t(half.width) * half.height * 4);
+    const auto at = [&](int x, int y, int c) {
+        const int cx = std::min(x, image.width - 1), cy = std::min(y, image.height - 1);
+        return image.rgba[(std::size_t(cy) * image.width + cx) * 4 + c];
+    };
+    std::array<float, 256> decode;
+    for (int i = 0; i < 256; ++i) decode[i] = srgb ? toLinear(float(i) / 255) : float(i) / 255;
+    for (int y = 0; y < half.height; ++y)
+        for (int x = 0; x < half.width; ++x)
+            for (int c = 0; c < 4; ++c) {
+                const int x2 = 2 * x, y2 = 2 * y;
+                const auto value = [&](int dx, int dy) {
+                    const auto byte = at(x2 + dx, y2 + dy, c);
+                    return c == 3 ? float(byte) / 255 : decode[byte];
+                };
+                const float mean = (value(0, 0) + value(1, 0) + value(0, 1) + value(1, 1)) / 4;
+                const float coded = srgb && c != 3 ? toSrgb(mean) : mean;
+                half.rgba[(std::size_t(y) * half.width + x) * 4 + c] = std::uint8_t(std::lround(coded * 255));
+            }
+    return half;
+}
 
 std::optional<Image> decodeImage(const std::string& name, std::span<const std::uint8_t> bytes, Problems& problems) {
     int width = 0, height = 0, channels = 0;

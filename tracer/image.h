@@ -29,6 +29,10 @@ struct FloatImage {
     float* at(int x, int y) { return &pixels[(std::size_t(y) * width + x) * channels]; }
 };
 
+/// Half the size by averages of 2 x 2 texels; colour is averaged as light where it is `srgb`, alpha and data as they
+/// are.
+Image halved(const Image&, bool srgb);
+
 /// Decodes PNG or JPEG bytes; `name` stands in the problem where that fails.
 std::optional<Image> decodeImage(const std::string& name, std::span<const std::uint8_t> bytes, Problems&);
 

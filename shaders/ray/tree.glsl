@@ -25,14 +25,6 @@ vec3 mirrored(vec3 direction, vec3 normal, vec3 facing) {
     return normalize(dot(reflected, facing) > 0.0 ? reflected : reflect(direction, facing));
 }
 
-// How much of what arrives is reflected; `cosine` against the shading normal.
-vec3 reflectance(Material material, float cosine, vec2 uv, vec2 reach) {
-    vec3 share = fresnel(material.f0, cosine);
-#if COAT_MASKS
-    if (material.mask >= 0) share *= sampleMask(material.mask, uv, reach);
-#endif
-    return share;
-}
 #endif
 
 vec3 traceTree(Ray ray) {
@@ -69,15 +61,15 @@ vec3 traceTree(Ray ray) {
             bool outside = dot(ray.direction, surface.normal) <= 0.0;
             vec3 facing = outside ? surface.normal : -surface.normal;
             vec3 normal = facing;
-            vec3 tint = vec3(1.0);
-            vec2 uv = surface.uv;
-            vec2 reach = vec2(0.0);
+            vec4 paint = vec4(1.0);
             path.width += path.spread * t;
             float cosine = max(-dot(ray.direction, facing), 1e-3);
-#if TEXTURES
-            uv = surface.uv * material.texturePlacement.xy + material.texturePlacement.zw;
-            reach = path.width * inversesqrt(cosine) * surface.uvPerUnit * material.texturePlacement.xy;
-            if (material.texture >= 0) tint = sampleColor(material.texture, uv, reach);
+#if PAINTS
+            if (material.paint >= 0) {
+                vec2 at = surface.uv * material.paintPlacement.xy + material.paintPlacement.zw;
+                vec2 over = path.width * inversesqrt(cosine) * surface.uvPerUnit * material.paintPlacement.xy;
+                paint = samplePaint(material.paint, at, over);
+            }
 #endif
 #if NORMAL_MAPS
             if (material.normalMap >= 0) {
@@ -97,7 +89,7 @@ vec3 traceTree(Ray ray) {
 #if REFLECTION
             if (material.optics != kPlain && path.depth < frame.limits.x) {
                 float facingRatio = max(-dot(incoming, normal), 0.0);
-                vec3 mirror = reflectance(material, facingRatio, uv, reach);
+                vec3 mirror = fresnel(material.f0, facingRatio) * paint.a; // what is reflected of what arrives
                 float bend = 2.0 * path.width * surface.curvature / cosine;
 #if REFRACTION
                 if (material.optics == kDielectric) {
@@ -134,10 +126,10 @@ vec3 traceTree(Ray ray) {
             }
 #endif
             ray = rayFrom(surface.point, direction, object, onwardSide);
-            color += share * material.own * tint;
+            color += share * material.own * paint.rgb;
 #if LIGHTS
             // After the next ray, so that what only that ray needs holds no registers while shadow rays run.
-            Lit lit = litBy(material, surface.point, facing, normal, -incoming, tint, share);
+            Lit lit = litBy(material, surface.point, facing, normal, -incoming, paint.rgb, share);
 #if SHADOWS_IN_TREE
             shadows = ShadowRays(lit, side);
 #else

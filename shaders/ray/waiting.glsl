@@ -6,8 +6,9 @@
 // popRay    the deepest ray that waits, or the primary ray again where that one has lost its entry
 // Stack     three entries at every depth: what waits lies in registers of every pixel, and seven keep a GPU from 8 waves. A ray
 //           of a deeper tree may lose its entry to another; when its turn comes, the way to it is traced anew from the eye,
-//           unseen: one pixel in 600 of `pro` at depth 8 ever needs that. Separate arrays, written apart from their index: an
-//           array of structs with stack[n++].ray = r yields zero rays on Mesa 22.3
+//           unseen: one pixel in 600 of `pro` at depth 8 ever needs that. An entry is chosen among the three, not indexed: drivers
+//           for wide SIMD gather and scatter what is indexed a lane at a time, at every turn (1/20 of `pro`'s time), and
+//           stack[n++].ray = r in an array of structs yields zero rays on Mesa 22.3
 // Pencil    each ray carries the width its pixel has grown to and the angle it still grows by; curved mirrors widen it
 // Source    the way back without a stack after S. Laine, Restart Trail for Stackless BVH Traversal, 2010; pencils after
 //           T. Akenine-Möller et al., Texture Level of Detail Strategies for Real-Time Ray Tracing, Ray Tracing Gems 2019
@@ -23,12 +24,14 @@ Path primaryPath() { return Path(vec3(1.0), 1, 0.0, frame.cone.x); }
 #if REFRACTION
 #include "ray/bits.glsl"
 
-const uint kRayStack = 3u;
-vec3 stackOrigin[kRayStack];
-vec3 stackDirection[kRayStack];
-uvec2 stackShare[kRayStack]; // 21 bits a channel
-uint stackPencil[kRayStack]; // width and spread, the upper half of each
-int stackTag[kRayStack]; // self, depth and side in one: each entry's numbers are registers of every pixel
+struct Waiting {
+    vec3 origin, direction;
+    uvec2 share; // 21 bits a channel
+    uint pencil; // width and spread, the upper half of each
+    int tag;     // self, depth and side in one: each entry's numbers are registers of every pixel
+};
+const int kRayStack = 3;
+Waiting stack[kRayStack];
 
 // The way through the tree, in one register: of a surface at depth d bit d says that its refracted ray is still to come, bit
 // 8 + d that this ray, not the reflected one, is on the way. From bit 16 on the depth of the surface whose refracted ray is
@@ -47,33 +50,35 @@ Path storable(Path path) {
     return Path(share, path.depth, upperHalf(path.width), upperHalf(path.spread));
 }
 
-uint slotOf(int depth) { return uint(depth) % kRayStack; }
+int slotOf(int depth) { return depth % kRayStack; }
 
 void pushRay(inout uint trail, Ray ray, Path path) {
     int depth = path.depth - 1;
-    uint slot = slotOf(depth);
-    stackOrigin[slot] = ray.origin;
-    stackDirection[slot] = ray.direction;
     uvec3 share = uvec3(path.share * kShareSteps);
-    stackShare[slot] = uvec2(share.r | share.g << 21, share.g >> 11 | share.b << 10);
-    stackPencil[slot] = floatBitsToUint(path.width) | (floatBitsToUint(path.spread) >> 16);
-    stackTag[slot] = (ray.self << 5) | (path.depth << 1) | int(ray.side > 0.0);
+    uvec2 bits = uvec2(share.r | share.g << 21, share.g >> 11 | share.b << 10);
+    uint pencil = floatBitsToUint(path.width) | (floatBitsToUint(path.spread) >> 16);
+    int tag = (ray.self << 5) | (path.depth << 1) | int(ray.side > 0.0);
+    for (int slot = 0; slot < kRayStack; ++slot) {
+        if (slot == slotOf(depth)) stack[slot] = Waiting(ray.origin, ray.direction, bits, pencil, tag);
+    }
     trail = (trail | 1u << depth) & ~(256u << depth);
 }
 
 void popRay(inout uint trail, inout Ray ray, inout Path path) {
     int depth = highestBit(waitingIn(trail));
-    uint slot = slotOf(depth);
-    int tag = stackTag[slot];
-    bool kept = ((tag >> 1) & 15) == depth + 1;
+    Waiting entry = stack[0];
+    for (int slot = 1; slot < kRayStack; ++slot) {
+        if (slot == slotOf(depth)) entry = stack[slot];
+    }
+    bool kept = ((entry.tag >> 1) & 15) == depth + 1;
     trail = (trail & 0xFFFFu & ~(1u << depth)) | 256u << depth | (kept ? 0u : uint(depth) << 16);
     ray = primaryRay();
     path = primaryPath();
     if (kept) {
-        uvec2 bits = stackShare[slot];
+        uvec2 bits = entry.share;
         vec3 share = vec3(bits.x & 0x1FFFFFu, bits.x >> 21 | (bits.y & 0x3FFu) << 11, bits.y >> 10) / kShareSteps;
-        ray = rayFrom(stackOrigin[slot], stackDirection[slot], tag >> 5, (tag & 1) == 1 ? 1.0 : -1.0);
-        path = Path(share, depth + 1, uintBitsToFloat(stackPencil[slot] & 0xFFFF0000u), uintBitsToFloat(stackPencil[slot] << 16));
+        ray = rayFrom(entry.origin, entry.direction, entry.tag >> 5, (entry.tag & 1) == 1 ? 1.0 : -1.0);
+        path = Path(share, depth + 1, uintBitsToFloat(entry.pencil & 0xFFFF0000u), uintBitsToFloat(entry.pencil << 16));
     }
 }
 #else

@@ -1,43 +1,29 @@
-// Images on surfaces. The level of detail is explicit, from the width of the ray's pencil: no gradients, which are undefined
-// in loops and differ between drivers.
+// Images on surfaces: paints, colour with the mask of a coat as alpha, and normals, each in the layers of one array that
+// tracer/layers.h lays out. One sample for each purpose, whichever image a pixel wants: drivers for wide SIMD fetch at every
+// place that a function has. The level of detail is explicit, from the width of the ray's pencil: no gradients, which are
+// undefined in loops and differ between drivers.
 //
-// sampleColor, sampleNormal, sampleMask   an image by its slot, among those that serve so: drivers for wide SIMD fetch from
-//                                         every image that a function names, whichever a pixel wants
-// reach                                   how much of uv the pencil covers
-#for Slot in IMAGE_SLOTS
-uniform sampler2D image$Slot;
-#endfor
-
-float detailLevel(vec2 size, vec2 reach) {
-    vec2 texels = abs(reach) * size;
+// samplePaint, sampleNormal   `uv` in units of the layer, on which the material places its image's tile
+// reach                       how much of uv the pencil covers
+float detailLevel(ivec2 size, vec2 reach) {
+    vec2 texels = abs(reach) * vec2(size);
     return log2(max(max(texels.x, texels.y), 1.0));
 }
 
-#if TEXTURES
-vec3 sampleColor(int slot, vec2 uv, vec2 reach) {
-#for Slot in COLOR_SLOTS
-    if (slot == $Slot) return textureLod(image$Slot, uv, detailLevel(vec2(textureSize(image$Slot, 0)), reach)).rgb;
-#endfor
-    return vec3(1.0);
+#if PAINTS
+uniform sampler2DArray paints;
+
+vec4 samplePaint(int layer, vec2 uv, vec2 reach) {
+    return textureLod(paints, vec3(uv, layer), detailLevel(textureSize(paints, 0).xy, reach));
 }
 #endif
 
 #if NORMAL_MAPS
-// In the surface's frame, of any length; 128 is flat.
-vec3 sampleNormal(int slot, vec2 uv, vec2 reach) {
-    vec3 texel = vec3(0.5, 0.5, 1.0);
-#for Slot in NORMAL_SLOTS
-    if (slot == $Slot) texel = textureLod(image$Slot, uv, detailLevel(vec2(textureSize(image$Slot, 0)), reach)).xyz;
-#endfor
-    return (texel * 255.0 - 128.0) / 127.0;
-}
-#endif
+uniform sampler2DArray normals;
 
-#if COAT_MASKS
-float sampleMask(int slot, vec2 uv, vec2 reach) {
-#for Slot in MASK_SLOTS
-    if (slot == $Slot) return textureLod(image$Slot, uv, detailLevel(vec2(textureSize(image$Slot, 0)), reach)).r;
-#endfor
-    return 1.0;
+// In the surface's frame, of any length; 128 is flat.
+vec3 sampleNormal(int layer, vec2 uv, vec2 reach) {
+    vec3 texel = textureLod(normals, vec3(uv, layer), detailLevel(textureSize(normals, 0).xy, reach)).xyz;
+    return (texel * 255.0 - 128.0) / 127.0;
 }
 #endif

@@ -3,7 +3,7 @@
 // optics  kPlain, kConductor (reflects by f0), kDielectric (reflects and refracts by ior), kCoat (reflects by f0, keeps its
 //         own colour); f0 is the reflectance at normal incidence
 // own     light of the surface itself: emitted, and reflected from all around
-// slots   of images: -1 where there is none
+// paint, normalMap  layers of images, -1 where there is none
 const int kPlain = 0;
 const int kConductor = 1;
 const int kDielectric = 2;
@@ -13,8 +13,8 @@ struct Material {
     vec3 diffuse, specular, own, f0;
     float shininess, ior;
     int optics;
-    int texture, normalMap, mask;
-    vec4 texturePlacement, normalPlacement; // uv = surface uv * xy + zw
+    int paint, normalMap;
+    vec4 paintPlacement, normalPlacement; // uv = surface uv * xy + zw
 };
 
 Material loadMaterial(int index) {
@@ -23,7 +23,7 @@ Material loadMaterial(int index) {
     vec4 specular = sceneTexel(at + 1);
     vec4 own = sceneTexel(at + 2);
     vec4 f0 = sceneTexel(at + 3);
-    int slots = int(f0.a);
-    return Material(diffuse.rgb, specular.rgb, own.rgb, f0.rgb, diffuse.a, own.a, int(specular.a), (slots & 255) - 1,
-                    ((slots >> 8) & 255) - 1, (slots >> 16) - 1, sceneTexel(at + 4), sceneTexel(at + 5));
+    int layers = int(f0.a);
+    return Material(diffuse.rgb, specular.rgb, own.rgb, f0.rgb, diffuse.a, own.a, int(specular.a), (layers & 255) - 1,
+                    (layers >> 8) - 1, sceneTexel(at + 4), sceneTexel(at + 5));
 }

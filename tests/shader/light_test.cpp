@@ -1,5 +1,6 @@
 /// What light does in the ray tree: shadows, textures, reflection and refraction, each in a scene made for it.
 
+#include "native/asset_folder.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
 
@@ -127,6 +128,47 @@ TEST(Texture, ColoursItsOwnSurfaceOnly) {
     const glm::vec3 textured = colorInTheMiddle(scene(R"(, "texture": "earth-color")"));
     EXPECT_NEAR(plain.r, 0.04, 1e-4) << "Schlick at normal incidence of index 1.5";
     EXPECT_EQ(plain, textured);
+}
+
+/// A floor far into the distance and a ball with all that images can do, in front of a bright sky; `more` materials.
+Scene pictured(const std::string& more) {
+    return sceneFrom(R"({"camera": {"eye": [0, 1, 5], "target": [0, 0, 0]}, "background": {"color": [1, 1, 1]},
+        "lights": [{"point": {"position": [3, 5, 5]}}],
+        "materials": {
+            "floor": {"texture": {"image": "grid", "scale": 0.37}},
+            "ball": {"texture": "moon-color", "normal_map": {"image": "moon-normal", "scale": [2, 3]},
+                     "coat": {"ior": 2, "mask": "sun"}})" +
+                     more + R"(},
+        "objects": [{"plane": {"point": [0, -1, 0], "normal": [0, 1, 0]}, "material": "floor"},
+                    {"sphere": {"center": [0, 0, 0], "radius": 1}, "material": "ball"}]})");
+}
+
+// All images lie in layers of one size: larger ones beside them must not be seen, near or far, straight or at a slant.
+TEST(Texture, LooksTheSameBesideLargerImages) {
+    const FloatImage alone = outputOf(pictured(""), sized(120, 90), Aov::Color);
+    const FloatImage beside =
+        outputOf(pictured(R"(, "unseen": {"texture": "earth-color", "normal_map": "earth-normal"})"), sized(120, 90),
+                 Aov::Color);
+    EXPECT_EQ(alone.pixels, beside.pixels);
+}
+
+// Until an image has come it is told by one flat texel; the picture that follows is that of an image that was there.
+TEST(Texture, LooksTheSameHoweverLateItComes) {
+    offscreen();
+    const Scene scene = pictured("");
+    Drawing early(scene, sized(60, 45)), late(scene, sized(60, 45));
+    const FloatImage expected = early.output();
+    const Image small{1, 1, {255, 0, 0, 255}};
+    Problems problems;
+    const auto images = AssetFolder(std::string(GNOMON_SOURCE_DIR) + "/assets").readImages(scene, problems);
+    ASSERT_TRUE(images);
+    for (const auto& [name, image] : *images) late.renderer().setImage(name, small);
+    EXPECT_NE(late.output().pixels, expected.pixels);
+    for (const auto& [name, image] : *images) {
+        late.renderer().setImage(name, image);
+        late.output();
+    }
+    EXPECT_EQ(late.output().pixels, expected.pixels);
 }
 
 TEST(Conductor, ReflectsByItsComplexIndexPerChannel) {

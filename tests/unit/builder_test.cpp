@@ -105,8 +105,8 @@ TEST(ShaderBuilder, GivesTheSameSourceWhenOnlyNumbersChange) {
 }
 
 TEST(ShaderBuilder, KeepsARayStackOnlyWhereASurfaceBothReflectsAndRefracts) {
-    EXPECT_EQ(source(sceneNamed("torus")).find("stackOrigin"), std::string::npos);
-    EXPECT_NE(source(sceneNamed("lite")).find("stackOrigin"), std::string::npos);
+    EXPECT_EQ(source(sceneNamed("torus")).find("kRayStack"), std::string::npos);
+    EXPECT_NE(source(sceneNamed("lite")).find("kRayStack"), std::string::npos);
 }
 
 TEST(ShaderBuilder, NeedsNoOtherProgramForAnotherDepth) {

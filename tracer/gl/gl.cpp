@@ -104,7 +104,7 @@ Info info() {
     info.parallelCompile = has("KHR_parallel_shader_compile") || has("ARB_parallel_shader_compile");
 #endif
     info.maxTextureSize = integer(GL_MAX_TEXTURE_SIZE);
-    info.maxTextureUnits = integer(GL_MAX_TEXTURE_IMAGE_UNITS);
+    info.maxLayers = integer(GL_MAX_ARRAY_TEXTURE_LAYERS);
     info.maxUniformBlockSize = integer(GL_MAX_UNIFORM_BLOCK_SIZE);
     return info;
 }

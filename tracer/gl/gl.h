@@ -27,7 +27,7 @@ struct Info {
     bool essl300 = false;         ///< accepts `#version 300 es`
     bool floatTargets = false;    ///< can draw to RGBA32F
     bool parallelCompile = false; ///< compiling can be polled
-    int maxTextureSize = 0, maxTextureUnits = 0, maxUniformBlockSize = 0;
+    int maxTextureSize = 0, maxLayers = 0, maxUniformBlockSize = 0;
 };
 /// Of the current context.
 Info info();

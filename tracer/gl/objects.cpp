@@ -1,7 +1,6 @@
 #include "tracer/gl/objects.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace gnomon::gl {
 namespace detail {
@@ -17,41 +16,15 @@ namespace {
 
 constexpr GLenum kCompletionStatus = 0x91B1; // GL_COMPLETION_STATUS_KHR, the same in the ARB extension and in WebGL
 
-float toLinear(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
-float toSrgb(float c) { return c <= 0.0031308f ? c * 12.92f : 1.055f * std::pow(c, 1 / 2.4f) - 0.055f; }
-
-/// Half the size by averages of 2 x 2 texels; light is averaged as light, alpha and data as they are.
-Image halved(const Image& image, Texels texels) {
-    Image half{std::max(image.width / 2, 1), std::max(image.height / 2, 1), {}};
-    half.rgba.resize(std::size_t(half.width) * half.height * 4);
-    const auto at = [&](int x, int y, int c) {
-        const int cx = std::min(x, image.width - 1), cy = std::min(y, image.height - 1);
-        return image.rgba[(std::size_t(cy) * image.width + cx) * 4 + c];
-    };
-    std::array<float, 256> decode;
-    for (int i = 0; i < 256; ++i) decode[i] = texels == Texels::Srgb ? toLinear(float(i) / 255) : float(i) / 255;
-    for (int y = 0; y < half.height; ++y)
-        for (int x = 0; x < half.width; ++x)
-            for (int c = 0; c < 4; ++c) {
-                const int x2 = 2 * x, y2 = 2 * y;
-                const auto value = [&](int dx, int dy) {
-                    const auto byte = at(x2 + dx, y2 + dy, c);
-                    return c == 3 ? float(byte) / 255 : decode[byte];
-                };
-                const float mean = (value(0, 0) + value(1, 0) + value(0, 1) + value(1, 1)) / 4;
-                const float coded = texels == Texels::Srgb && c != 3 ? toSrgb(mean) : mean;
-                half.rgba[(std::size_t(y) * half.width + x) * 4 + c] = std::uint8_t(std::lround(coded * 255));
-            }
-    return half;
-}
+GLint formatOf(Texels texels) { return texels == Texels::Srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8; }
 
 void uploadLevels(GLenum target, Image image, Texels texels) {
-    const GLint format = texels == Texels::Srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8;
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     for (int level = 0;; ++level) {
-        glTexImage2D(target, level, format, image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+        glTexImage2D(target, level, formatOf(texels), image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                     image.rgba.data());
         if (image.width == 1 && image.height == 1) return;
-        image = halved(image, texels);
+        image = halved(image, texels == Texels::Srgb);
     }
 }
 
@@ -97,9 +70,17 @@ Buffer makeUniformBuffer() {
     return Buffer(name);
 }
 
-Texture makeImage(const Image& image, Texels texels) {
-    Texture texture = makeTexture(GL_TEXTURE_2D, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT);
-    uploadLevels(GL_TEXTURE_2D, image, texels);
+Texture makeImages(const Layers& layers, Texels texels) {
+    Texture texture = makeTexture(GL_TEXTURE_2D_ARRAY, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT);
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    for (int level = 0; level < layers.levels(); ++level) {
+        const int width = layers.width(level), height = layers.height(level);
+        glTexImage3D(GL_TEXTURE_2D_ARRAY, level, formatOf(texels), width, height, layers.count(), 0, GL_RGBA,
+                     GL_UNSIGNED_BYTE, nullptr);
+        for (int layer = 0; layer < layers.count(); ++layer)
+            glTexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, layer, width, height, 1, GL_RGBA, GL_UNSIGNED_BYTE,
+                            layers.at(layer, level).rgba.data());
+    }
     return texture;
 }
 

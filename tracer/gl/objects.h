@@ -3,6 +3,7 @@
 
 #include "tracer/gl/gl.h"
 #include "tracer/image.h"
+#include "tracer/layers.h"
 
 #include <string>
 #include <utility>
@@ -55,7 +56,8 @@ Buffer makeUniformBuffer();
 enum class Texels { Display, Srgb };
 
 /// Mip levels are averaged here, not by the driver, so that every host sees the same ones.
-Texture makeImage(const Image&, Texels);
+/// An array texture that repeats along both sides.
+Texture makeImages(const Layers&, Texels);
 /// Faces in GL's order +x −x +y −y +z −z, all of one size.
 Texture makeCubemap(const std::vector<Image>& faces, Texels);
 /// RGBA32F texels in rows of `width`; read with texelFetch.

@@ -21,8 +21,8 @@ void bindInterface(const CachedProgram& entry) {
     program.bindBlock("SceneBlock", kSceneBinding);
     program.bindSampler("sceneData", kDataUnit);
     program.bindSampler("sky", kSkyUnit);
-    for (int i = 0; i < entry.features.images; ++i)
-        program.bindSampler(("image" + std::to_string(i)).c_str(), kFirstImageUnit + i);
+    program.bindSampler("paints", kPaintUnit);
+    program.bindSampler("normals", kNormalUnit);
 }
 
 } // namespace

@@ -16,7 +16,7 @@ namespace gnomon {
 
 /// Binding points and texture units that all programs use.
 inline constexpr GLuint kFrameBinding = 0, kSceneBinding = 1;
-inline constexpr int kDataUnit = 0, kSkyUnit = 1, kFirstImageUnit = 2;
+inline constexpr int kDataUnit = 0, kSkyUnit = 1, kPaintUnit = 2, kNormalUnit = 3;
 
 /// One specialised program and what it took to make.
 struct CachedProgram {

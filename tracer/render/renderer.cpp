@@ -48,15 +48,8 @@ FrameBlock frameBlock(const View& view, const Scene& scene, glm::dvec3 origin, c
 
 Image flat(std::uint8_t r, std::uint8_t g, std::uint8_t b) { return {1, 1, {r, g, b, 255}}; }
 
-bool usedAsNormalMap(const Scene& scene, const std::string& image) {
-    return std::any_of(scene.materials.begin(), scene.materials.end(),
-                       [&](const Material& m) { return m.normalMap && m.normalMap->image == image; });
-}
-
-bool usedAsColor(const Scene& scene, const std::string& image) {
-    return std::any_of(scene.materials.begin(), scene.materials.end(),
-                       [&](const Material& m) { return m.texture && m.texture->image == image; });
-}
+/// Of the finest levels of all images of a purpose: half of what the smallest GPU that is worth the name has.
+constexpr std::size_t kMostImageBytes = std::size_t(1) << 29;
 
 std::vector<std::string> facesOf(const Scene& scene) {
     std::vector<std::string> faces;
@@ -106,9 +99,10 @@ struct LoadedScene {
     Scene scene;
     glm::dvec3 origin{0}; ///< originOf(scene)
     ScenePacker packer;
-    std::vector<std::string> slots, faces;
-    std::vector<gl::Texture> images;
-    gl::Texture sky;
+    Album album;
+    std::vector<std::string> faces;
+    gl::Texture paints, normals, sky;
+    bool stale = true; ///< images have come that the textures do not have
 };
 
 } // namespace
@@ -151,14 +145,40 @@ struct Renderer::Impl {
         return scene.encoding == Encoding::Linear && color ? gl::Texels::Srgb : gl::Texels::Display;
     }
 
-    void uploadImage(LoadedScene& loaded, std::size_t slot) {
-        const std::string& name = loaded.slots[slot];
+    /// As it came; `standIn` until it does.
+    const Image& pictureOr(const Image& standIn, const std::string& name) const {
         const auto found = pictures.find(name);
-        const bool color = usedAsColor(loaded.scene, name);
-        const Image standIn =
-            usedAsNormalMap(loaded.scene, name) ? flat(128, 128, 255) : (color ? flat(128, 128, 128) : flat(0, 0, 0));
-        loaded.images[slot] =
-            gl::makeImage(found == pictures.end() ? standIn : found->second, coding(loaded.scene, color));
+        return found == pictures.end() ? standIn : found->second;
+    }
+
+    gl::Texture upload(const LoadedScene& loaded, std::vector<Image> images, bool color,
+                       std::vector<glm::vec2>& tiles) {
+        if (images.empty()) return {};
+        const gl::Texels texels = coding(loaded.scene, color);
+        const Layers layers(std::move(images), texels == gl::Texels::Srgb, info.maxTextureSize, kMostImageBytes);
+        for (int i = 0; i < layers.count(); ++i) tiles.push_back(layers.tile(i));
+        if (layers.reduced())
+            pending.push_back({loaded.scene.file,
+                               0,
+                               {},
+                               "the images take more memory than is wise, or are larger than this GL takes them: the "
+                               "largest are drawn smaller",
+                               "use fewer large images"});
+        return gl::makeImages(layers, texels);
+    }
+
+    void uploadImages(LoadedScene& loaded) {
+        const Image none, grey = flat(128, 128, 128), level = flat(128, 128, 255), dry = flat(0, 0, 0);
+        std::vector<Image> paints, normals;
+        for (const Paint& paint : loaded.album.paints)
+            paints.push_back(painted(paint.color.empty() ? none : pictureOr(grey, paint.color),
+                                     paint.mask.empty() ? none : pictureOr(dry, paint.mask)));
+        for (const std::string& name : loaded.album.normals) normals.push_back(pictureOr(level, name));
+        Tiles tiles;
+        loaded.paints = upload(loaded, std::move(paints), true, tiles.paints);
+        loaded.normals = upload(loaded, std::move(normals), false, tiles.normals);
+        loaded.packer.setTiles(std::move(tiles));
+        loaded.stale = false;
     }
 
     void uploadSky(LoadedScene& loaded) {
@@ -173,14 +193,12 @@ struct Renderer::Impl {
     }
 
     void uploadAll(LoadedScene& loaded) {
-        loaded.images.resize(loaded.slots.size());
-        for (std::size_t i = 0; i < loaded.slots.size(); ++i) uploadImage(loaded, i);
+        loaded.stale = true;
         if (!loaded.faces.empty()) uploadSky(loaded);
     }
 
     void imageArrived(LoadedScene& loaded, const std::string& name) {
-        for (std::size_t i = 0; i < loaded.slots.size(); ++i)
-            if (loaded.slots[i] == name) uploadImage(loaded, i);
+        loaded.stale |= loaded.album.shows(name);
         const auto begin = loaded.faces.begin(), end = loaded.faces.end();
         const bool last = std::all_of(begin, end, [&](const auto& face) { return pictures.contains(face); });
         if (last && std::find(begin, end, name) != end) uploadSky(loaded);
@@ -197,15 +215,16 @@ struct Renderer::Impl {
         const auto refuse = [&](const std::string& what, const std::string& remedy) {
             problems.push_back({scene.file, 0, {}, what, remedy});
         };
-        const int texels = sceneTexels(featuresOf(scene, settings, target())),
-                  units = int(imageSlots(scene).size()) + kFirstImageUnit;
+        const int texels = sceneTexels(featuresOf(scene, settings, target()));
         const long most = long(kDataWidth) * info.maxTextureSize;
         if (texels > most)
             refuse("the scene takes " + std::to_string(texels) + " texels, this GL holds " + std::to_string(most),
                    "use fewer objects");
-        if (units > info.maxTextureUnits)
-            refuse("the scene takes " + std::to_string(units) + " texture units, this GL has " +
-                       std::to_string(info.maxTextureUnits),
+        const Album album = albumOf(scene);
+        const int layers = int(std::max(album.paints.size(), album.normals.size()));
+        const int mostLayers = std::min(kMostLayers, info.maxLayers);
+        if (layers > mostLayers)
+            refuse("the scene shows " + std::to_string(layers) + " images, this GL holds " + std::to_string(mostLayers),
                    "use fewer images");
         return problems.size() == before;
     }
@@ -269,11 +288,11 @@ struct Renderer::Impl {
                             &texels[std::size_t(full) * kDataWidth]);
     }
 
-    void bindImages(const LoadedScene& loaded) {
-        for (std::size_t i = 0; i < loaded.images.size(); ++i) {
-            glActiveTexture(GLenum(GL_TEXTURE0 + kFirstImageUnit + int(i)));
-            glBindTexture(GL_TEXTURE_2D, loaded.images[i].get());
-        }
+    void bindImages(LoadedScene& loaded) {
+        glActiveTexture(GL_TEXTURE0 + kPaintUnit);
+        glBindTexture(GL_TEXTURE_2D_ARRAY, loaded.paints.get());
+        glActiveTexture(GL_TEXTURE0 + kNormalUnit);
+        glBindTexture(GL_TEXTURE_2D_ARRAY, loaded.normals.get());
         glActiveTexture(GL_TEXTURE0 + kSkyUnit);
         glBindTexture(GL_TEXTURE_CUBE_MAP, loaded.sky.get());
         glActiveTexture(GL_TEXTURE0 + kDataUnit);
@@ -287,6 +306,7 @@ struct Renderer::Impl {
         glBindBuffer(GL_UNIFORM_BUFFER, frameBuffer.get());
         glBufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_DYNAMIC_DRAW);
         glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, frameBuffer.get());
+        if (loaded.stale) uploadImages(loaded); // before their tiles are packed
         uploadScene(program, loaded, view);
         bindImages(loaded);
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
@@ -405,9 +425,8 @@ Renderer::~Renderer() = default;
 bool Renderer::setScene(const Scene& scene, Problems& problems) {
     if (!impl_->fits(scene, problems)) return false;
     const glm::dvec3 origin = originOf(scene);
-    auto loaded = std::make_shared<LoadedScene>(LoadedScene{scene, origin, ScenePacker(scene, origin), {}, {}, {}, {}});
-    loaded->slots = imageSlots(scene);
-    loaded->faces = facesOf(scene);
+    auto loaded = std::make_shared<LoadedScene>(
+        LoadedScene{scene, origin, ScenePacker(scene, origin), albumOf(scene), facesOf(scene)});
     impl_->uploadAll(*loaded);
     impl_->wantedScene = std::move(loaded);
     impl_->choose();
@@ -510,8 +529,7 @@ void Renderer::contextLost() {
     i.wanted = i.drawn = nullptr;
     for (const auto& loaded : {i.wantedScene, i.drawnScene}) {
         if (!loaded) continue;
-        for (gl::Texture& image : loaded->images) image.forget();
-        loaded->sky.forget();
+        for (gl::Texture* texture : {&loaded->paints, &loaded->normals, &loaded->sky}) texture->forget();
     }
     i.drawnScene = nullptr;
     i.vertexArray.forget();

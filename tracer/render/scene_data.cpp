@@ -11,10 +11,6 @@
 namespace gnomon {
 namespace {
 
-int slotOf(const std::vector<std::string>& images, const std::string& name) {
-    return name.empty() ? -1 : int(std::find(images.begin(), images.end(), name) - images.begin());
-}
-
 /// Reflectance at normal incidence of a surface with complex index n + ik.
 glm::dvec3 normalReflectance(glm::dvec3 n, glm::dvec3 k) {
     return ((n - 1.0) * (n - 1.0) + k * k) / ((n + 1.0) * (n + 1.0) + k * k);
@@ -24,36 +20,40 @@ struct Optics {
     glm::dvec3 f0{0};
     double ior = 0;
     int kind = 0; ///< as kPlain … kCoat in shade/material.glsl
-    int mask = -1;
 };
 
-Optics opticsOf(const Material& material, const std::vector<std::string>& images) {
+Optics opticsOf(const Material& material) {
     if (const auto* conductor = std::get_if<Conductor>(&material.optics))
-        return {normalReflectance(conductor->n, conductor->k), 0, 1, -1};
+        return {normalReflectance(conductor->n, conductor->k), 0, 1};
     if (const auto* dielectric = std::get_if<Dielectric>(&material.optics))
-        return {normalReflectance(glm::dvec3(dielectric->ior), glm::dvec3(0)), dielectric->ior, 2, -1};
+        return {normalReflectance(glm::dvec3(dielectric->ior), glm::dvec3(0)), dielectric->ior, 2};
     if (const auto* coat = std::get_if<Coat>(&material.optics))
-        return {normalReflectance(glm::dvec3(coat->ior), glm::dvec3(0)), 0, 3, slotOf(images, coat->mask)};
+        return {normalReflectance(glm::dvec3(coat->ior), glm::dvec3(0)), 0, 3};
     return {};
 }
 
-/// uv scale and offset at `time`; the offset is reduced to one period in double, so that it never loses bits with time.
-glm::vec4 placement(const std::optional<TextureUse>& use, double time) {
-    if (!use) return {};
+/// uv scale and offset at `time`, on a layer of which the image takes `tile`; the offset is reduced to one period in
+/// double, so that it never loses bits with time.
+glm::vec4 placement(const std::optional<TextureUse>& use, glm::vec2 tile, double time) {
+    if (!use) return {tile, 0, 0};
     const glm::dvec2 moved = use->scroll * time;
-    return glm::vec4(use->scale, moved - glm::floor(moved));
+    return {use->scale * glm::dvec2(tile), (moved - glm::floor(moved)) * glm::dvec2(tile)};
 }
 
-/// More than there are texture units: three slots in one number, as shaders/shade/material.glsl takes it apart.
-constexpr int kSlots = 256;
+/// More than there are layers: two of them in one number, as shaders/shade/material.glsl takes it apart.
+constexpr int kLayers = kMostLayers + 1;
 
-void packMaterial(const Material& m, const std::vector<std::string>& images, double time, std::vector<glm::vec4>& out) {
-    const Optics optics = opticsOf(m, images);
-    const auto slot = [&](const std::optional<TextureUse>& use) { return use ? slotOf(images, use->image) : -1; };
-    const int slots = slot(m.texture) + 1 + kSlots * (slot(m.normalMap) + 1 + kSlots * (optics.mask + 1));
-    out.insert(out.end(), {glm::vec4(m.diffuse, m.shininess), glm::vec4(m.specular, optics.kind),
-                           glm::vec4(m.ambient + m.emission, optics.ior), glm::vec4(optics.f0, slots),
-                           placement(m.texture, time), placement(m.normalMap, time)});
+void packMaterial(const Material& m, const Album& album, const Tiles& tiles, double time, std::vector<glm::vec4>& out) {
+    const Optics optics = opticsOf(m);
+    const int paint = album.paintOf(m), normal = album.normalOf(m);
+    const auto tile = [](const std::vector<glm::vec2>& of, int layer) {
+        return layer >= 0 && std::size_t(layer) < of.size() ? of[std::size_t(layer)] : glm::vec2(1);
+    };
+    out.insert(out.end(),
+               {glm::vec4(m.diffuse, m.shininess), glm::vec4(m.specular, optics.kind),
+                glm::vec4(m.ambient + m.emission, optics.ior), glm::vec4(optics.f0, paint + 1 + kLayers * (normal + 1)),
+                placement(m.texture, tile(tiles.paints, paint), time),
+                placement(m.normalMap, tile(tiles.normals, normal), time)});
 }
 
 /// Into the free components of every triangle goes the middle of the box about all of them: rays are re-centred on it.
@@ -132,8 +132,7 @@ std::vector<std::pair<std::string, int>> constantsOf(const Features& features) {
 }
 
 ScenePacker::ScenePacker(const Scene& scene, glm::dvec3 origin)
-    : scene_(scene), origin_(origin), layout_(layoutOf(scene)), images_(imageSlots(scene)),
-      hierarchies_(layout_.size()) {}
+    : scene_(scene), origin_(origin), layout_(layoutOf(scene)), album_(albumOf(scene)), hierarchies_(layout_.size()) {}
 
 std::span<const glm::vec4> ScenePacker::pack(const Features& features, double time, glm::dvec3 eye) {
     std::vector<Shape> shapes = shapesAbout(time);
@@ -144,7 +143,7 @@ std::span<const glm::vec4> ScenePacker::pack(const Features& features, double ti
     for (const KindLayout& kind : layout_)
         for (const int i : kind.objects)
             texels_.emplace_back(float(scene_.objects[std::size_t(i)].material), float(i), 0.0f, 0.0f);
-    for (const Material& material : scene_.materials) packMaterial(material, images_, time, texels_);
+    for (const Material& material : scene_.materials) packMaterial(material, album_, tiles_, time, texels_);
     packLights();
     if (features.glows > 0) packGlows(shapes);
     return texels_;
@@ -214,19 +213,6 @@ std::vector<glm::vec4> packScene(const Scene& scene, const Features& features, d
     ScenePacker packer(scene);
     const auto texels = packer.pack(features, time, scene.camera.eye);
     return {texels.begin(), texels.end()};
-}
-
-std::vector<std::string> imageSlots(const Scene& scene) {
-    std::vector<std::string> slots;
-    const auto add = [&](const std::string& name) {
-        if (!name.empty() && std::find(slots.begin(), slots.end(), name) == slots.end()) slots.push_back(name);
-    };
-    for (const Material& material : scene.materials) {
-        if (material.texture) add(material.texture->image);
-        if (material.normalMap) add(material.normalMap->image);
-        if (const auto* coat = std::get_if<Coat>(&material.optics)) add(coat->mask);
-    }
-    return slots;
 }
 
 } // namespace gnomon

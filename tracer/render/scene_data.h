@@ -7,6 +7,7 @@
 
 #include "tracer/accel/hierarchy.h"
 #include "tracer/accel/layout.h"
+#include "tracer/render/album.h"
 #include "tracer/scene/scene.h"
 #include "tracer/shader/features.h"
 
@@ -30,6 +31,11 @@ std::vector<std::pair<std::string, int>> constantsOf(const Features&);
 /// Number of texels the scene takes.
 int sceneTexels(const Features&);
 
+/// What each image takes of its layer; all of it where nothing is told.
+struct Tiles {
+    std::vector<glm::vec2> paints, normals;
+};
+
 /// Packs one scene, frame after frame: what stays is worked out once, what moves is fitted to where it has gone.
 class ScenePacker {
   public:
@@ -40,6 +46,9 @@ class ScenePacker {
     /// scene; the texels are good until the next call.
     std::span<const glm::vec4> pack(const Features&, double time, glm::dvec3 eye);
 
+    /// From here on images are told to lie on such tiles.
+    void setTiles(Tiles tiles) { tiles_ = std::move(tiles); }
+
   private:
     std::vector<Shape> shapesAbout(double time) const;
     void packShapes(const std::vector<Shape>&, glm::dvec3 eye);
@@ -49,8 +58,9 @@ class ScenePacker {
 
     Scene scene_;
     glm::dvec3 origin_;
-    std::vector<KindLayout> layout_;     ///< layoutOf()
-    std::vector<std::string> images_;    ///< imageSlots()
+    std::vector<KindLayout> layout_; ///< layoutOf()
+    Album album_;
+    Tiles tiles_;
     std::vector<Hierarchy> hierarchies_; ///< of each kind of the layout
     std::vector<Bounds> bounds_;         ///< of one kind; kept for its memory
     std::vector<glm::vec4> texels_;
@@ -58,8 +68,5 @@ class ScenePacker {
 
 /// What one picture takes: as ScenePacker, in the world's coordinates and from the scene's own camera.
 std::vector<glm::vec4> packScene(const Scene&, const Features&, double time);
-
-/// Images in the order of their slots (cube map faces left out), each once.
-std::vector<std::string> imageSlots(const Scene&);
 
 } // namespace gnomon

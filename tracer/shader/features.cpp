@@ -85,20 +85,12 @@ std::vector<KindCount> countKinds(const Scene& scene, Accel accel, bool cells) {
     return kinds;
 }
 
-void addSlot(const std::string& image, const std::vector<std::string>& images, std::vector<int>& slots) {
-    const int slot = int(std::find(images.begin(), images.end(), image) - images.begin());
-    if (std::find(slots.begin(), slots.end(), slot) == slots.end()) slots.push_back(slot);
-}
-
-void addMaterial(const Material& material, const std::vector<std::string>& images, const Settings& settings,
-                 Features& features) {
-    const auto* coat = std::get_if<Coat>(&material.optics);
-    features.coats |= coat != nullptr;
+void addMaterial(const Material& material, const Album& album, const Settings& settings, Features& features) {
+    features.coats |= std::holds_alternative<Coat>(material.optics);
     features.conductors |= std::holds_alternative<Conductor>(material.optics);
     features.refraction |= std::holds_alternative<Dielectric>(material.optics);
-    if (coat && !coat->mask.empty()) addSlot(coat->mask, images, features.maskSlots);
-    if (material.texture) addSlot(material.texture->image, images, features.colorSlots);
-    if (material.normalMap && settings.normalMaps) addSlot(material.normalMap->image, images, features.normalSlots);
+    if (album.paintOf(material) >= 0) features.paints = int(album.paints.size());
+    if (material.normalMap && settings.normalMaps) features.normalMaps = int(album.normals.size());
 }
 
 } // namespace
@@ -121,12 +113,11 @@ Features featuresOf(const Scene& scene, const Settings& settings, const GlslTarg
     features.linear = scene.encoding == Encoding::Linear;
     features.materials = int(scene.materials.size());
     features.lights = int(scene.lights.size());
-    const std::vector<std::string> images = imageSlots(scene);
-    features.images = int(images.size());
+    const Album album = albumOf(scene);
     std::vector<bool> used(scene.materials.size(), false);
     for (const Object& object : scene.objects) used[object.material] = true;
     for (std::size_t i = 0; i < used.size(); ++i)
-        if (used[i]) addMaterial(scene.materials[i], images, settings, features);
+        if (used[i]) addMaterial(scene.materials[i], album, settings, features);
     features.reflection = features.conductors || features.refraction || features.coats;
     features.cubemap = !scene.background.cubemap.empty();
     features.shadows = features.lights > 0 ? settings.shadows : ShadowModel::Off;

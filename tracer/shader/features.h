@@ -39,8 +39,8 @@ struct KindCount {
 
 struct Features {
     std::vector<KindCount> shapes; ///< kinds drawn, in the order of ShapeKind
-    int materials = 0, lights = 0, glows = 0, images = 0;
-    std::vector<int> colorSlots, normalSlots, maskSlots; ///< of the images, by what materials in use take from them
+    int materials = 0, lights = 0, glows = 0;
+    int paints = 0, normalMaps = 0; ///< layers of images, none where no material in use shows one
     bool reflection = false, refraction = false, coats = false, conductors = false;
     bool cubemap = false, linear = false;
     ShadowModel shadows = ShadowModel::Off;

@@ -77,10 +77,9 @@ Names namesOf(const Features& f) {
         {"REFLECTION", f.reflection},
         {"REFRACTION", f.refraction},
         {"COATS", f.coats},
-        {"COAT_MASKS", !f.maskSlots.empty()},
-        {"TEXTURES", !f.colorSlots.empty()},
-        {"NORMAL_MAPS", !f.normalSlots.empty()},
-        {"IMAGES", f.images},
+        {"PAINTS", f.paints},
+        {"NORMAL_MAPS", f.normalMaps},
+        {"IMAGES", f.paints + f.normalMaps},
         {"CUBEMAP", f.cubemap},
         {"LINEAR", f.linear},
         {"LIGHTS", f.lights},
@@ -124,14 +123,12 @@ Names namesOf(const Features& f) {
     std::string model(shadowRow(f.shadows).key);
     std::replace(model.begin(), model.end(), '-', '_');
     names.lists["SHADOW_MODEL"] = {model};
-    auto& images = names.lists["IMAGE_SLOTS"];
-    for (int i = 0; i < f.images; ++i) images.push_back(std::to_string(i));
-    const auto slots = [&](const char* list, const std::vector<int>& which) {
-        for (const int slot : which) names.lists[list].push_back(std::to_string(slot));
+    const auto layers = [&](const char* list, int count) {
+        auto& numbers = names.lists[list];
+        for (int layer = 0; layer < count; ++layer) numbers.push_back(std::to_string(layer));
     };
-    slots("COLOR_SLOTS", f.colorSlots);
-    slots("NORMAL_SLOTS", f.normalSlots);
-    slots("MASK_SLOTS", f.maskSlots);
+    layers("PAINT_LAYERS", f.paints);
+    layers("NORMAL_LAYERS", f.normalMaps);
     return names;
 }
 
@@ -348,7 +345,7 @@ class Builder {
 /// highp.
 void addPrelude(Builder& builder, const Features& features) {
     builder.generate(features.es300 ? "#version 300 es" : "#version 330 core");
-    for (const char* type : {"float", "int", "sampler2D", "samplerCube"})
+    for (const char* type : {"float", "int", "sampler2D", "sampler2DArray", "samplerCube"})
         builder.generate("precision highp " + std::string(type) + ";");
 }
 

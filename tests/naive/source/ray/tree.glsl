@@ -28,15 +28,17 @@ struct Coating {
 // Every image is sampled in one place, by tests for whether the material has it.
 Coating coatingAt(Material material, vec2 uv) {
     Coating coating = Coating(vec3(1.0), vec3(0.0, 0.0, 1.0), 1.0);
-    vec2 at = uv * material.texturePlacement.xy + material.texturePlacement.zw;
+    vec2 at = uv * material.paintPlacement.xy + material.paintPlacement.zw;
     vec2 normalAt = uv * material.normalPlacement.xy + material.normalPlacement.zw;
-#for Slot in IMAGE_SLOTS
-    if (material.texture == $Slot || material.normalMap == $Slot || material.mask == $Slot) {
-        vec3 texel = texture(image$Slot, material.normalMap == $Slot ? normalAt : at).rgb;
-        if (material.texture == $Slot) coating.tint = texel;
-        if (material.normalMap == $Slot) coating.bump = (texel * 255.0 - 128.0) / 127.0; // 128 is flat
-        if (material.mask == $Slot) coating.mask = texel.r;
+#for Layer in PAINT_LAYERS
+    if (material.paint == $Layer) {
+        vec4 texel = texture(paints, vec3(at, $Layer.0));
+        coating.tint = texel.rgb;
+        coating.mask = texel.a;
     }
+#endfor
+#for Layer in NORMAL_LAYERS
+    if (material.normalMap == $Layer) coating.bump = (texture(normals, vec3(normalAt, $Layer.0)).rgb * 255.0 - 128.0) / 127.0;
 #endfor
     return coating;
 }

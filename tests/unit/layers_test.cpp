@@ -1,0 +1,140 @@
+#include "tests/support/scenes.h"
+#include "tracer/layers.h"
+#include "tracer/render/album.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+namespace gnomon {
+namespace {
+
+using test::sceneFrom;
+
+constexpr int kRoom = 4096;
+constexpr std::size_t kPlenty = std::size_t(1) << 30;
+
+Image noise(int width, int height) {
+    std::mt19937 random(unsigned(width * 31 + height));
+    Image image{width, height, {}};
+    for (int i = 0; i < width * height * 4; ++i) image.rgba.push_back(std::uint8_t(random() & 255));
+    return image;
+}
+
+Image plain(int width, int height, std::uint8_t value) {
+    return {width, height, std::vector<std::uint8_t>(std::size_t(width * height) * 4, value)};
+}
+
+std::uint8_t texel(const Image& image, int x, int y, int channel) {
+    const int column = x % image.width, row = y % image.height;
+    return image.rgba[std::size_t(row * image.width + column) * 4 + std::size_t(channel)];
+}
+
+/// Whether `layer` holds `image` again and again.
+testing::AssertionResult repeats(const Image& layer, const Image& image) {
+    for (int y = 0; y < layer.height; ++y)
+        for (int x = 0; x < layer.width; ++x)
+            for (int c = 0; c < 4; ++c)
+                if (texel(layer, x, y, c) != texel(image, x, y, c))
+                    return testing::AssertionFailure() << "differs at " << x << ", " << y << ", channel " << c;
+    return testing::AssertionSuccess();
+}
+
+TEST(Layers, HaveTheSizeOfTheLargestSides) {
+    const Layers layers({noise(64, 8), noise(16, 32)}, false, kRoom, kPlenty);
+    EXPECT_EQ(layers.count(), 2);
+    EXPECT_EQ(layers.width(0), 64);
+    EXPECT_EQ(layers.height(0), 32);
+    EXPECT_EQ(layers.levels(), 7);
+    EXPECT_EQ(layers.width(6), 1);
+    EXPECT_EQ(layers.height(6), 1);
+    EXPECT_FALSE(layers.reduced());
+}
+
+// Every level of the layer repeats the same level of the image alone: so it is sampled as it would be alone.
+TEST(Layers, RepeatWhatGoesIntoThemByPowersOfTwoAtEveryLevel) {
+    for (const bool srgb : {false, true}) {
+        const Image small = noise(16, 8);
+        const Layers layers({noise(64, 32), small}, srgb, kRoom, kPlenty);
+        EXPECT_EQ(layers.tile(0), glm::vec2(1));
+        EXPECT_EQ(layers.tile(1), glm::vec2(0.25f));
+        Image alone = small;
+        for (int level = 0; level < layers.levels(); ++level) {
+            const Image whole = layers.at(1, level);
+            EXPECT_EQ(whole.width, layers.width(level));
+            EXPECT_EQ(whole.height, layers.height(level));
+            EXPECT_TRUE(repeats(whole, alone)) << "level " << level;
+            alone = halved(alone, srgb);
+        }
+    }
+}
+
+TEST(Layers, StretchWhatDoesNotGoIntoThemAlongThatSideOnly) {
+    const Layers layers({noise(64, 32), noise(48, 16)}, false, kRoom, kPlenty);
+    EXPECT_EQ(layers.tile(1), glm::vec2(1, 0.5f));
+    // A ramp that repeats stays one, and nothing of it leaves its range.
+    Image ramp = plain(3, 1, 255);
+    for (int x = 0; x < 3; ++x) ramp.rgba[std::size_t(x) * 4] = std::uint8_t(60 * x);
+    const Image wide = Layers({plain(6, 1, 0), ramp}, false, kRoom, kPlenty).at(1, 0);
+    const int expected[] = {30, 15, 45, 75, 105, 90};
+    for (int x = 0; x < 6; ++x) EXPECT_EQ(texel(wide, x, 0, 0), expected[x]) << "texel " << x;
+    EXPECT_EQ(texel(wide, 2, 0, 3), 255);
+}
+
+TEST(Layers, AreHalvedUntilTheyFit) {
+    const Layers bySide({noise(64, 32), noise(16, 16)}, false, 32, kPlenty);
+    EXPECT_TRUE(bySide.reduced());
+    EXPECT_EQ(bySide.width(0), 32);
+    EXPECT_EQ(bySide.height(0), 16);
+    EXPECT_TRUE(repeats(bySide.at(0, 0), halved(noise(64, 32), false)));
+    const Layers byBytes({noise(64, 64), noise(8, 8)}, false, kRoom, std::size_t(2 * 16 * 16 * 4));
+    EXPECT_TRUE(byBytes.reduced());
+    EXPECT_EQ(byBytes.width(0), 16);
+    EXPECT_TRUE(repeats(byBytes.at(1, 0), noise(8, 8))) << "small ones stay as they are";
+    EXPECT_EQ(Layers({noise(4, 4)}, false, kRoom, 0).width(0), 1) << "one texel always fits";
+}
+
+TEST(Painted, TakesTheMasksRedAsAlphaAndWhiteForWhatIsMissing) {
+    const Image color = noise(8, 4), mask = noise(8, 4);
+    const Image both = painted(color, mask);
+    for (int i = 0; i < 32; ++i) {
+        EXPECT_EQ(texel(both, i % 8, i / 8, 1), texel(color, i % 8, i / 8, 1));
+        EXPECT_EQ(texel(both, i % 8, i / 8, 3), texel(mask, i % 8, i / 8, 0));
+    }
+    EXPECT_EQ(texel(painted(color, {}), 3, 2, 3), 255) << "an image's own alpha is none";
+    EXPECT_EQ(texel(painted({}, mask), 3, 2, 0), 255);
+    EXPECT_EQ(texel(painted({}, mask), 3, 2, 3), texel(mask, 3, 2, 0));
+    const Image larger = painted(noise(4, 4), noise(8, 2));
+    EXPECT_EQ(larger.width, 8);
+    EXPECT_EQ(larger.height, 4);
+}
+
+TEST(Album, HoldsEveryPaintAndEveryNormalMapOnce) {
+    const Scene scene = sceneFrom(R"({"camera": {"eye": [0, 0, 5], "target": [0, 0, 0]},
+        "materials": {
+            "a": {"texture": "grid", "normal_map": "moon-normal"},
+            "b": {"texture": "grid", "coat": {"ior": 1.3, "mask": "earth-water"}},
+            "c": {"texture": "grid", "normal_map": "moon-normal"},
+            "d": {"coat": {"ior": 1.3, "mask": "earth-water"}},
+            "e": {}},
+        "objects": [{"sphere": {"center": [0, 0, 0], "radius": 1}, "material": "a"}]})");
+    const Album album = albumOf(scene);
+    EXPECT_EQ(album.paints, (std::vector<Paint>{{"grid", ""}, {"grid", "earth-water"}, {"", "earth-water"}}));
+    EXPECT_EQ(album.normals, std::vector<std::string>{"moon-normal"});
+    const auto material = [&](const std::string& name) {
+        for (const Material& m : scene.materials)
+            if (m.name == name) return m;
+        return Material{};
+    };
+    EXPECT_EQ(album.paintOf(material("c")), 0);
+    EXPECT_EQ(album.paintOf(material("d")), 2);
+    EXPECT_EQ(album.paintOf(material("e")), -1);
+    EXPECT_EQ(album.normalOf(material("c")), 0);
+    EXPECT_EQ(album.normalOf(material("b")), -1);
+    EXPECT_TRUE(album.shows("earth-water"));
+    EXPECT_FALSE(album.shows("sun"));
+}
+
+} // namespace
+} // namespace gnomon
