@@ -161,9 +161,9 @@ struct Renderer::Impl {
             pending.push_back({loaded.scene.file,
                                0,
                                {},
-                               "the images take more memory than is wise, or are larger than this GL takes them: the "
-                               "largest are drawn smaller",
-                               "use fewer large images"});
+                               "the images take more than 512 MB, or are larger than this GL takes them: the largest are "
+                               "drawn smaller",
+                               "use fewer or smaller images"});
         return gl::makeImages(layers, texels);
     }
 
@@ -454,11 +454,15 @@ void Renderer::replaceShaders(std::span<const ShaderFile> overrides) {
 }
 
 ProgramState Renderer::poll(Problems& problems) {
-    problems.insert(problems.end(), impl_->pending.begin(), impl_->pending.end());
-    impl_->pending.clear();
+    const auto tell = [&] {
+        problems.insert(problems.end(), impl_->pending.begin(), impl_->pending.end());
+        impl_->pending.clear();
+    };
+    tell();
     if (!impl_->wanted) return impl_->wantedScene ? ProgramState::Failed : ProgramState::None;
     const ProgramState state = impl_->programs.poll(
         *impl_->wanted, [this] { impl_->warmUp(); }, problems);
+    tell(); // of its images
     if (state == ProgramState::Ready && impl_->drawn != impl_->wanted) impl_->adopt();
     if (state == ProgramState::Ready && impl_->drawnScene != impl_->wantedScene) impl_->adopt();
     return state;
