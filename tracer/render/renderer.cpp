@@ -158,12 +158,13 @@ struct Renderer::Impl {
         const Layers layers(std::move(images), texels == gl::Texels::Srgb, info.maxTextureSize, kMostImageBytes);
         for (int i = 0; i < layers.count(); ++i) tiles.push_back(layers.tile(i));
         if (layers.reduced())
-            pending.push_back({loaded.scene.file,
-                               0,
-                               {},
-                               "the images take more than 512 MB, or are larger than this GL takes them: the largest are "
-                               "drawn smaller",
-                               "use fewer or smaller images"});
+            pending.push_back(
+                {loaded.scene.file,
+                 0,
+                 {},
+                 "the images take more than 512 MB, or are larger than this GL takes them: the largest are "
+                 "drawn smaller",
+                 "use fewer or smaller images"});
         return gl::makeImages(layers, texels);
     }
 
