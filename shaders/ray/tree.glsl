@@ -24,7 +24,6 @@ vec3 mirrored(vec3 direction, vec3 normal, vec3 facing) {
     vec3 reflected = reflect(direction, normal);
     return normalize(dot(reflected, facing) > 0.0 ? reflected : reflect(direction, facing));
 }
-
 #endif
 
 vec3 traceTree(Ray ray) {

@@ -48,7 +48,7 @@ FrameBlock frameBlock(const View& view, const Scene& scene, glm::dvec3 origin, c
 
 Image flat(std::uint8_t r, std::uint8_t g, std::uint8_t b) { return {1, 1, {r, g, b, 255}}; }
 
-/// Of the finest levels of all images of a purpose: half of what the smallest GPU that is worth the name has.
+/// Of the finest levels of all images of a purpose; docs/scenes.md tells it.
 constexpr std::size_t kMostImageBytes = std::size_t(1) << 29;
 
 std::vector<std::string> facesOf(const Scene& scene) {
