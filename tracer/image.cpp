@@ -9,7 +9,6 @@
 #define STB_IMAGE_STATIC
 #define STBI_NO_STDIO
 #define STBI_ONLY_PNG
-#define STBI_ONLY_JPEG
 #define STBI_NO_HDR
 #define STBI_NO_LINEAR
 #define STBI_MAX_DIMENSIONS 16384
@@ -62,7 +61,7 @@ std::optional<Image> decodeImage(const std::string& name, std::span<const std::u
                             0,
                             {},
                             std::string("cannot be read as a picture (") + (reason ? reason : "too large") + ")",
-                            "use a PNG or JPEG file of at most 16384 x 16384"});
+                            "use a PNG file of at most 16384 x 16384"});
         return std::nullopt;
     }
     Image image{width, height, {texels, texels + std::size_t(width) * height * 4}};

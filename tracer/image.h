@@ -33,7 +33,7 @@ struct FloatImage {
 /// are.
 Image halved(const Image&, bool srgb);
 
-/// Decodes PNG or JPEG bytes; `name` stands in the problem where that fails.
+/// Decodes PNG bytes; `name` stands in the problem where that fails.
 std::optional<Image> decodeImage(const std::string& name, std::span<const std::uint8_t> bytes, Problems&);
 
 } // namespace gnomon
