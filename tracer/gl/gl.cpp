@@ -97,6 +97,8 @@ Info info() {
     const auto enable = [](const char* name) {
         return emscripten_webgl_enable_extension(emscripten_webgl_get_current_context(), name) == EM_TRUE;
     };
+    constexpr GLenum kUnmaskedRenderer = 0x9246;
+    if (info.renderer == "WebKit WebGL" && enable("WEBGL_debug_renderer_info")) info.renderer = text(kUnmaskedRenderer);
     info.floatTargets = enable("EXT_color_buffer_float");
     info.parallelCompile = enable("KHR_parallel_shader_compile");
 #else
@@ -114,6 +116,8 @@ bool drawnByProcessor(const std::string& renderer) {
         if (renderer.find(name) != std::string::npos) return true;
     return false;
 }
+
+bool drawnBySwiftShader(const std::string& renderer) { return renderer.find("SwiftShader") != std::string::npos; }
 
 bool check(const char* where, Problems& problems) {
     bool clean = true;

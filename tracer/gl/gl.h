@@ -34,6 +34,7 @@ Info info();
 
 /// A driver of that name draws with the processor.
 bool drawnByProcessor(const std::string& renderer);
+bool drawnBySwiftShader(const std::string& renderer);
 
 /// Says of a GL error since the last call what it was and `where`; adds no problem where there is none.
 bool check(const char* where, Problems&);
