@@ -3,6 +3,7 @@
 #include "native/context.h"
 #include "tracer/render/renderer.h"
 #include "tracer/shader/features.h"
+#include "tracer/shader/parts.h"
 #include "tracer/shader/shader_builder.h"
 
 #include <algorithm>
@@ -50,10 +51,16 @@ void checkChoice(const char* option, const std::string& value, const std::vector
     problems.push_back(wrongOption(option, "'" + value + "' is none of " + all, {}));
 }
 
+ShaderSource sourceOf(const std::string& pass, const Features& features, Problems& problems) {
+    if (pass == "canvas") return buildCanvas(features, problems);
+    if (pass == "sky") return buildShader("pass/sky.frag", features, problems);
+    return buildShader("pass/trace.frag", pass == "usual" ? usualOf(features) : features, problems);
+}
+
 int shader(const ShaderOptions& options) {
     Problems problems;
     const auto settings = readSettings(options.drawing, problems);
-    checkChoice("pass", options.pass, {"trace", "canvas"}, problems);
+    checkChoice("pass", options.pass, {"trace", "usual", "sky", "canvas"}, problems);
     checkChoice("glsl", options.glsl, {"es300", "gl330"}, problems);
     if (!problems.empty()) return fail(kCommandLineWrong, problems);
     const auto assets = AssetFolder::find(problems);
@@ -62,8 +69,7 @@ int shader(const ShaderOptions& options) {
 
     const GlslTarget target{.es300 = options.glsl == "es300", .processor = options.processor};
     const Features features = featuresOf(*scene, *settings, target);
-    const ShaderSource source =
-        options.pass == "trace" ? buildShader("pass/trace.frag", features, problems) : buildCanvas(features, problems);
+    const ShaderSource source = sourceOf(options.pass, features, problems);
     if (!problems.empty()) return fail(kInputWrong, problems);
     if (options.stats) return printStats(source, *scene, *settings);
     std::fwrite(source.text.data(), 1, source.text.size(), stdout);
@@ -77,7 +83,8 @@ void addShader(CLI::App& app, Task& task) {
     auto* command =
         app.add_subcommand("shader", "Prints the exact GLSL a scene and settings are drawn with; needs no GL");
     addScene(*command, options->drawing.scene, true);
-    command->add_option("--pass", options->pass, "Fragment or vertex shader [trace]")->type_name("trace|canvas");
+    command->add_option("--pass", options->pass, "Fragment shader, those of its parts, or vertex shader [trace]")
+        ->type_name("trace|usual|sky|canvas");
     command->add_option("--glsl", options->glsl, "GLSL ES 3.00 or GLSL 3.30 [es300]")->type_name("es300|gl330");
     command->add_flag("--processor", options->processor, "As for a GL in software, where the processor draws");
     command->add_flag("--stats", options->stats, "Its size, its modules and its compile time with OSMesa instead");

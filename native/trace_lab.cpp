@@ -13,11 +13,14 @@
 namespace gnomon {
 namespace {
 
-constexpr std::array kSceneWays{
-    TraceWay{Accel::None, DataPath::Block},        TraceWay{Accel::Hierarchy, DataPath::Block},
-    TraceWay{Accel::Auto, DataPath::Block},        TraceWay{Accel::None, DataPath::Texture},
-    TraceWay{Accel::Hierarchy, DataPath::Texture}, TraceWay{Accel::Auto, DataPath::Texture},
-    TraceWay{Accel::None, DataPath::Block, true}};
+constexpr std::array kSceneWays{TraceWay{Accel::None, DataPath::Block},
+                                TraceWay{Accel::Hierarchy, DataPath::Block},
+                                TraceWay{Accel::Auto, DataPath::Block},
+                                TraceWay{Accel::None, DataPath::Texture},
+                                TraceWay{Accel::Hierarchy, DataPath::Texture},
+                                TraceWay{Accel::Auto, DataPath::Texture},
+                                TraceWay{.data = DataPath::Texture, .parts = true},
+                                TraceWay{.accel = Accel::None, .source = true}};
 
 constexpr double kFrameSeconds = 1.0 / 60;
 
@@ -97,6 +100,7 @@ double millisecondsOf(int rounds, const std::function<void()>& work) {
 
 std::string nameOf(const TraceWay& way) {
     if (way.source) return "source";
+    if (way.parts) return "parts";
     return way.accel == Accel::None ? "none" : way.accel == Accel::Hierarchy ? "hierarchy" : "auto";
 }
 
@@ -117,13 +121,16 @@ Settings TraceLab::settingsFor(const TraceWay& way) const {
     Settings settings = settings_;
     settings.accel = way.accel;
     settings.data = way.data;
+    settings.parts = way.parts ? Parts::On : Parts::Off;
     return settings;
 }
 
 int TraceLab::blockTexels() const { return info_.maxUniformBlockSize / int(sizeof(glm::vec4)); }
 
 Features TraceLab::featuresFor(const Scene& scene, const TraceWay& way) const {
-    return featuresOf(scene, settingsFor(way), {blockTexels(), info_.essl300, gl::drawnByProcessor(info_.renderer)});
+    return featuresOf(
+        scene, settingsFor(way),
+        {blockTexels(), info_.essl300, gl::drawnByProcessor(info_.renderer), gl::drawnBySwiftShader(info_.renderer)});
 }
 
 bool TraceLab::fits(const Scene& scene, const TraceWay& way) const {

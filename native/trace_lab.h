@@ -15,15 +15,16 @@
 
 namespace gnomon {
 
-/// How rays find objects: as `--accel` and `--data` say, or as the source document did.
+/// How rays find objects: as `--accel` and `--data` say, or as the source document did. In parts besides, or by one
+/// program alone, so that accelerators differ in nothing else.
 struct TraceWay {
     Accel accel = Accel::Auto;
     DataPath data = DataPath::Block;
-    bool source = false;
+    bool source = false, parts = false;
 
     bool operator==(const TraceWay&) const = default;
 };
-/// source, none, hierarchy, auto; block, texture.
+/// source, none, hierarchy, auto, parts; block, texture.
 std::string nameOf(const TraceWay&);
 std::string dataOf(const TraceWay&);
 

@@ -110,4 +110,7 @@ void main() {
 #else
     outColor = pixel(primaryRay());
 #endif
+#if LEAVES
+    if (left) discard;
+#endif
 }

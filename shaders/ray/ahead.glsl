@@ -29,6 +29,9 @@ vec4 readAhead() {
     for (int i = 0; i < min(k$ShapeCount, kMostLooped) * k$ShapeTexels; ++i) sum += sceneTexel(k$ShapeBase + i);
 #endif
 #endfor
+#for Shape in RARE
+    for (int i = 0; i < k$ShapeCount * k$ShapeTexels; ++i) sum += sceneTexel(k$ShapeBase + i);
+#endfor
 #if LIGHTS
     for (int i = 0; i < 2 * kLightCount; ++i) sum += sceneTexel(kLightBase + i);
 #endif

@@ -14,8 +14,9 @@ ivec3 work = ivec3(0);
 #if SEARCHES
 #include "accel/search.glsl"
 #endif
-
-const float kFar = 3e38;
+#if LEAVES
+#include "ray/leaving.glsl"
+#endif
 
 // Whether the ray meets object `index` of its kind nearer than t, which then is where.
 #for Shape in SHAPES
@@ -50,6 +51,9 @@ int nearestHit(Ray ray, bool shadow, inout float t) {
         if ((!shadow || i < k$ShapeCasters) && meets$Shape(i, ray, t)) nearest = k$ShapeFirst + i;
 #endif
 #endfor
+#if LEAVES
+    left = left || (!(shadow && nearest >= 0) && mayMeetRare(ray, shadow, t));
+#endif
     return nearest;
 }
 

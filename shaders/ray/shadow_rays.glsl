@@ -17,8 +17,15 @@ Ray nextShadowRay(Ray ray, inout ShadowRays shadows, out float t, out vec3 adds)
 #if OUTPUT == WORK
     ++work.z;
 #endif
-    Light light = loadLight(nextLight(shadows.lit, adds));
-    vec3 toLight = light.position - ray.origin;
+    int index = nextLight(shadows.lit, adds);
+#if READ_AHEAD
+    vec3 place = vec3(0.0); // chosen among those that have been read
+    for (int i = 0; i < kLightCount; ++i)
+        if (i == index) place = loadLight(i).position;
+#else
+    vec3 place = loadLight(index).position;
+#endif
+    vec3 toLight = place - ray.origin;
     float distance = length(toLight);
     t = distance - ray.tMin;
     return Ray(ray.origin, toLight / distance, ray.tMin, ray.self, shadows.side);
@@ -40,6 +47,9 @@ int nearestPastShadows(inout uint trail, inout Ray ray, inout Path path, inout b
         if (shadow) asked = nextShadowRay(ray, shadows, t, adds);
         object = nearestHit(asked, shadow, t);
         if (!shadow) break;
+#if LEAVES
+        if (left) break;
+#endif
         if (object < 0) color += adds;
         if (shadows.lit.counting == 0u && !ahead && !anyWaits(trail)) break;
     }

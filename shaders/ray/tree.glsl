@@ -43,6 +43,10 @@ vec3 traceTree(Ray ray) {
 #else
         int object = nearestHit(ray, t);
 #endif
+#if LEAVES
+        left = left || leftOut(object);
+        if (left) break;
+#endif
         bool follow = false;
         vec3 share = path.share;
 #if REFRACTION

@@ -98,7 +98,8 @@ TEST_F(Cli, LabIntersectFindsNothingWrongAndWritesItsNumbers) {
     const std::string page = readText(folder_ / "all.html");
     EXPECT_NE(page.find("gnomon-results"), std::string::npos);
     EXPECT_EQ(page.find("http-equiv"), std::string::npos);
-    EXPECT_EQ(gnomon("lab intersect --shapes=triangle --distances=3 --rays=100").code, 0) << "fans are searched by balls";
+    EXPECT_EQ(gnomon("lab intersect --shapes=triangle --distances=3 --rays=100").code, 0)
+        << "fans are searched by balls";
 }
 
 TEST_F(Cli, LabRefusesWhatItDoesNotKnow) {
@@ -129,7 +130,8 @@ TEST_F(Cli, LabTraceMeasuresEveryWayAndWritesItsNumbers) {
     EXPECT_EQ(results["command"], "gnomon lab trace --scenes=lite --spheres=10,100 --size=64x48 --depth=8 "
                                   "--shadows=hard --repeats=3 --context=osmesa");
     const auto &scenes = results["tables"][0], &growth = results["tables"][1], &choice = results["tables"][2];
-    EXPECT_EQ(scenes["rows"].size(), 7U) << "the source's way, and three with numbers in a block and in a texture";
+    EXPECT_EQ(scenes["rows"].size(), 8U)
+        << "the source's way, in parts, and three with numbers in a block and in a texture";
     EXPECT_EQ(growth["rows"].size(), 18U) << "three arrangements of two numbers in three ways";
     EXPECT_EQ(choice["rows"].size(), 8U) << "lite from a block and from a texture, and six of spheres";
     for (const char* counter : {"boxes", "objects", "shadow_rays"}) {
@@ -217,8 +219,9 @@ TEST_F(Cli, BenchRefusesWhatItDoesNotKnow) {
 }
 
 TEST_F(Cli, BenchKeepsWhatItMeasuredWhereItIsInterrupted) {
-    const Answer run = gnomon("bench lite --depth=1 --shadows=off --size=32x24 --repeats=10000 --json=all.json",
-                              "timeout --foreground --preserve-status --signal=INT 8 env -u DISPLAY -u WAYLAND_DISPLAY");
+    const Answer run =
+        gnomon("bench lite --depth=1 --shadows=off --size=32x24 --repeats=10000 --json=all.json",
+               "timeout --foreground --preserve-status --signal=INT 8 env -u DISPLAY -u WAYLAND_DISPLAY");
     EXPECT_EQ(run.code, 130) << run.err;
     EXPECT_NE(run.out.find("Interrupted: what was measured is kept."), std::string::npos) << run.out;
     const auto results = nlohmann::json::parse(readText(folder_ / "all.json"));
@@ -342,7 +345,7 @@ TEST_F(Cli, RefusesWordsThatAreMissingOrTooMany) {
     expectRefused("render lite", 2, "--output is required");
     expectRefused("render lite more -o x.png", 2, "'more' is one word too many");
     expectRefused("render lite -o x.png --context=glut", 2, "'glut' is none of osmesa|egl|window");
-    expectRefused("shader lite --pass=blur", 2, "'blur' is none of trace|canvas");
+    expectRefused("shader lite --pass=blur", 2, "'blur' is none of trace|usual|sky|canvas");
     expectRefused("view lite --window=qt", 2, "'qt' is none of glfw|sdl");
 }
 
@@ -437,11 +440,16 @@ TEST_F(Cli, TakesTheLastOfASettingGivenTwiceAndNegativeNumbersApart) {
 
 TEST_F(Cli, PrintsTheShaderWithoutAnyGl) {
     const Answer es = gnomon("shader lite"), core = gnomon("shader lite --glsl=gl330"),
-                 canvas = gnomon("shader lite --pass=canvas");
+                 canvas = gnomon("shader lite --pass=canvas"), sky = gnomon("shader lite --pass=sky"),
+                 usual = gnomon("shader lite --pass=usual --parts=on");
     EXPECT_EQ(es.code, 0) << es.err;
     EXPECT_EQ(es.out.rfind("#version 300 es", 0), 0U);
     EXPECT_EQ(core.out.rfind("#version 330 core", 0), 0U);
     EXPECT_NE(canvas.out.find("gl_Position"), std::string::npos);
+    EXPECT_EQ(sky.out.find("Sphere"), std::string::npos);
+    EXPECT_NE(usual.out.find("discard"), std::string::npos);
+    EXPECT_EQ(usual.out.find("kDielectric) {"), std::string::npos) << "lite's glass is rare";
+    EXPECT_NE(es.out.find("kDielectric) {"), std::string::npos);
     EXPECT_EQ(es.out.find("Torus"), std::string::npos) << "lite has no torus, so its shader must not";
 }
 

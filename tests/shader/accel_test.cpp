@@ -12,7 +12,6 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
 #include <cmath>
 #include <functional>
 #include <set>
@@ -44,17 +43,6 @@ void aim(Drawing& drawing, const Shot& shot) {
     drawing.view.camera.target = shot.target;
     drawing.view.camera.fov = shot.fov;
     drawing.view.time = shot.time;
-}
-
-/// The first that differs, as text; empty where there is none.
-std::string difference(const FloatImage& a, const FloatImage& b) {
-    EXPECT_EQ(a.pixels.size(), b.pixels.size());
-    std::size_t count = 0, first = 0;
-    for (std::size_t i = a.pixels.size(); i-- > 0;)
-        if (std::bit_cast<std::uint32_t>(a.pixels[i]) != std::bit_cast<std::uint32_t>(b.pixels[i])) ++count, first = i;
-    if (count == 0) return {};
-    return std::to_string(count) + " floats differ, first at " + std::to_string(first) + ": " +
-           std::to_string(a.pixels[first]) + " without, " + std::to_string(b.pixels[first]) + " with a search";
 }
 
 bool searches(const Scene& scene, Accel accel) {

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <bit>
+
 #include <cstdio>
 #include <cstdlib>
 
@@ -52,6 +55,16 @@ Image Drawing::picture() {
     Image image = renderer_.readPicture(view, problems);
     EXPECT_EQ(toString(problems), "");
     return image;
+}
+
+std::string difference(const FloatImage& a, const FloatImage& b) {
+    EXPECT_EQ(a.pixels.size(), b.pixels.size());
+    std::size_t count = 0, first = 0;
+    for (std::size_t i = std::min(a.pixels.size(), b.pixels.size()); i-- > 0;)
+        if (std::bit_cast<std::uint32_t>(a.pixels[i]) != std::bit_cast<std::uint32_t>(b.pixels[i])) ++count, first = i;
+    if (count == 0) return {};
+    return std::to_string(count) + " floats differ, first at " + std::to_string(first) + ": " +
+           std::to_string(a.pixels[first]) + " and " + std::to_string(b.pixels[first]);
 }
 
 FloatImage outputOf(const Scene& scene, Settings settings, Aov aov) {

@@ -27,6 +27,9 @@ class Drawing {
     Renderer renderer_;
 };
 
+/// The first float that differs, as text; empty where none does.
+std::string difference(const FloatImage&, const FloatImage&);
+
 /// One output of a scene.
 FloatImage outputOf(const Scene&, Settings, Aov);
 

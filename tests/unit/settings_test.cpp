@@ -44,6 +44,7 @@ const std::map<std::string_view, std::vector<std::string>>& samples() {
         {"vsync", {"off"}},
         {"accel", {"none", "hierarchy"}},
         {"data", {"block", "texture"}},
+        {"parts", {"on", "off"}},
     };
     return texts;
 }

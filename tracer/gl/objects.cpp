@@ -7,6 +7,7 @@ namespace detail {
 void deleteTexture(GLuint name) { glDeleteTextures(1, &name); }
 void deleteBuffer(GLuint name) { glDeleteBuffers(1, &name); }
 void deleteFramebuffer(GLuint name) { glDeleteFramebuffers(1, &name); }
+void deleteRenderbuffer(GLuint name) { glDeleteRenderbuffers(1, &name); }
 void deleteVertexArray(GLuint name) { glDeleteVertexArrays(1, &name); }
 void deleteProgram(GLuint name) { glDeleteProgram(name); }
 void deleteShader(GLuint name) { glDeleteShader(name); }
@@ -97,7 +98,7 @@ Texture makeDataTexture(int width, int height) {
     return texture;
 }
 
-Target makeTarget(int width, int height, GLenum format) {
+Target makeTarget(int width, int height, GLenum format, bool depth) {
     Target target;
     target.color = makeTexture(GL_TEXTURE_2D, GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE);
     if (format == GL_RGBA32F) { // not filterable everywhere
@@ -111,6 +112,14 @@ Target makeTarget(int width, int height, GLenum format) {
     target.framebuffer = Framebuffer(framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.color.get(), 0);
+    if (depth) {
+        GLuint buffer = 0;
+        glGenRenderbuffers(1, &buffer);
+        target.depth = Renderbuffer(buffer);
+        glBindRenderbuffer(GL_RENDERBUFFER, buffer);
+        glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT16, width, height);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, buffer);
+    }
     const bool complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
     if (!complete) return {};

@@ -37,6 +37,7 @@ namespace detail {
 void deleteTexture(GLuint);
 void deleteBuffer(GLuint);
 void deleteFramebuffer(GLuint);
+void deleteRenderbuffer(GLuint);
 void deleteVertexArray(GLuint);
 void deleteProgram(GLuint);
 void deleteShader(GLuint);
@@ -45,6 +46,7 @@ void deleteShader(GLuint);
 using Texture = Name<detail::deleteTexture>;
 using Buffer = Name<detail::deleteBuffer>;
 using Framebuffer = Name<detail::deleteFramebuffer>;
+using Renderbuffer = Name<detail::deleteRenderbuffer>;
 using VertexArray = Name<detail::deleteVertexArray>;
 using ProgramName = Name<detail::deleteProgram>;
 using ShaderName = Name<detail::deleteShader>;
@@ -63,14 +65,16 @@ Texture makeCubemap(const std::vector<Image>& faces, Texels);
 /// RGBA32F texels in rows of `width`; read with texelFetch.
 Texture makeDataTexture(int width, int height);
 
-/// A colour target of its own; `format` is GL_RGBA8 or GL_RGBA32F. Empty where the GL cannot draw to it.
+/// A colour target of its own; `format` is GL_RGBA8 or GL_RGBA32F. Empty where the GL cannot draw to it. Depths only
+/// where asked for.
 struct Target {
     Texture color;
+    Renderbuffer depth;
     Framebuffer framebuffer;
     int width = 0, height = 0;
     GLenum format = 0;
 };
-Target makeTarget(int width, int height, GLenum format);
+Target makeTarget(int width, int height, GLenum format, bool depth = false);
 
 /// Tells when the GPU has done what it was asked for so far, without waiting.
 class Fence {

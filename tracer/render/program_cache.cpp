@@ -27,10 +27,10 @@ void bindInterface(const CachedProgram& entry) {
 
 } // namespace
 
-std::shared_ptr<CachedProgram> ProgramCache::get(const Features& features, Problems& problems) {
+std::shared_ptr<CachedProgram> ProgramCache::get(const Features& features, Problems& problems, std::string_view pass) {
     const double start = monotonicSeconds();
     Problems faults;
-    ShaderSource source = buildShader("pass/trace.frag", features, faults, overrides_);
+    ShaderSource source = buildShader(pass, features, faults, overrides_);
     const ShaderSource canvas = buildCanvas(features, faults);
     if (!faults.empty()) {
         problems.insert(problems.end(), faults.begin(), faults.end());

@@ -10,6 +10,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace gnomon {
@@ -38,8 +39,11 @@ class ProgramCache {
     /// Other overrides for the programs to come; those there are stay.
     void setOverrides(std::span<const ShaderFile> overrides) { overrides_.assign(overrides.begin(), overrides.end()); }
 
+    /// Some files are not the library's.
+    bool overridden() const { return !overrides_.empty(); }
+
     /// The program for the features, begun where it is new. Null, with problems, where the library itself is at fault.
-    std::shared_ptr<CachedProgram> get(const Features&, Problems&);
+    std::shared_ptr<CachedProgram> get(const Features&, Problems&, std::string_view pass = "pass/trace.frag");
 
     /// Lets the program go on. `warmUp` draws one pixel with it: some drivers compile at the first draw, not at link.
     ProgramState poll(CachedProgram&, const std::function<void()>& warmUp, Problems&);

@@ -2,7 +2,7 @@
 
 #include "tracer/clock.h"
 #include "tracer/gl/objects.h"
-#include "tracer/render/program_cache.h"
+#include "tracer/render/programs.h"
 #include "tracer/render/scene_data.h"
 
 #include <algorithm>
@@ -122,7 +122,8 @@ struct Renderer::Impl {
     unsigned version = 0;
 
     std::shared_ptr<LoadedScene> wantedScene, drawnScene;
-    std::shared_ptr<CachedProgram> wanted, drawn;
+    Programs wanted, drawn;
+    bool adopted = false; ///< the wanted programs draw
     Settings drawnSettings;
     Problems pending; // found while choosing a program, told by the next poll()
 
@@ -136,7 +137,7 @@ struct Renderer::Impl {
         glDisable(GL_DEPTH_TEST);
         glDisable(GL_BLEND);
         if (!info.es) glEnable(kSeamlessCubemap);
-        warm = gl::makeTarget(1, 1, GL_RGBA8);
+        warm = gl::makeTarget(1, 1, GL_RGBA8, true);
     }
 
     // --- images -----------------------------------------------------------------------------------------------------
@@ -209,7 +210,10 @@ struct Renderer::Impl {
 
     int blockTexels() const { return info.maxUniformBlockSize / int(sizeof(glm::vec4)); }
 
-    GlslTarget target() const { return {blockTexels(), info.essl300, gl::drawnByProcessor(info.renderer)}; }
+    GlslTarget target() const {
+        return {blockTexels(), info.essl300, gl::drawnByProcessor(info.renderer),
+                gl::drawnBySwiftShader(info.renderer)};
+    }
 
     bool fits(const Scene& scene, Problems& problems) const {
         const std::size_t before = problems.size();
@@ -245,29 +249,41 @@ struct Renderer::Impl {
                                    ": its numbers go into a texture",
                                {}});
         }
-        wanted = programs.get(features, pending);
+        wanted = Programs(features, programs, pending);
+        adopted = false;
         adopt();
     }
 
-    /// From here on the wanted program draws, once it can.
+    /// From here on the wanted programs draw, once they can.
     void adopt() {
-        if (!wanted || wanted->state != ProgramState::Ready) return;
-        ++version;
+        if (!wanted.canDraw()) return;
+        if (!adopted) ++version; // its parts draw the same
+        adopted = true;
         drawn = wanted;
         drawnScene = wantedScene;
         drawnSettings = settings;
     }
 
-    void warmUp() {
+    ProgramState poll(Problems& problems) {
+        const ProgramState state = wanted.poll(
+            programs, [this](const CachedProgram& program) { warmUp(program); }, problems);
+        if (!adopted || drawn.parted() != wanted.parted()) adopt();
+        return state;
+    }
+
+    void warmUp(const CachedProgram& program) {
         const View view{wantedScene->scene.camera, 0, 1, 1};
-        drawInto(warm.framebuffer.get(), view, *wanted, *wantedScene, settings, true);
+        upload(view, wanted, *wantedScene, settings, true);
+        glBindFramebuffer(GL_FRAMEBUFFER, warm.framebuffer.get());
+        glViewport(0, 0, 1, 1);
+        wanted.drawAlone(program, {0, 0, 1, 1});
     }
 
     // --- drawing ----------------------------------------------------------------------------------------------------
 
-    void uploadScene(const CachedProgram& program, LoadedScene& loaded, const View& view) {
-        const auto texels = loaded.packer.pack(program.features, view.time, view.camera.eye);
-        if (program.features.dataBlock) {
+    void uploadScene(const Features& features, LoadedScene& loaded, const View& view) {
+        const auto texels = loaded.packer.pack(features, view.time, view.camera.eye);
+        if (features.dataBlock) {
             glBindBuffer(GL_UNIFORM_BUFFER, sceneBuffer.get());
             glBufferData(GL_UNIFORM_BUFFER, GLsizeiptr(texels.size() * sizeof(glm::vec4)), texels.data(),
                          GL_DYNAMIC_DRAW);
@@ -299,26 +315,33 @@ struct Renderer::Impl {
         glActiveTexture(GL_TEXTURE0 + kDataUnit);
     }
 
-    void drawInto(GLuint framebuffer, const View& view, const CachedProgram& program, LoadedScene& loaded,
-                  const Settings& with, bool encode) {
-        const FrameBlock block = frameBlock(view, loaded.scene, loaded.origin, with, encode);
+    /// All that programs read.
+    void upload(const View& view, const Programs& with, LoadedScene& loaded, const Settings& choices, bool encode) {
+        const FrameBlock block = frameBlock(view, loaded.scene, loaded.origin, choices, encode);
         glBindVertexArray(vertexArray.get());
-        glUseProgram(program.program.get());
         glBindBuffer(GL_UNIFORM_BUFFER, frameBuffer.get());
         glBufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_DYNAMIC_DRAW);
         glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, frameBuffer.get());
         if (loaded.stale) uploadImages(loaded); // before their tiles are packed
-        uploadScene(program, loaded, view);
+        uploadScene(with.features(), loaded, view);
         bindImages(loaded);
-        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-        glViewport(0, 0, view.width, view.height);
-        glDisable(GL_BLEND);
-        glDisable(GL_DEPTH_TEST);
-        glDrawArrays(GL_TRIANGLES, 0, 3);
     }
 
-    void drawNow(const View& view, GLuint framebuffer) {
-        drawInto(framebuffer, view, *drawn, *drawnScene, drawnSettings, true);
+    /// Where the smaller programs draw, of what was uploaded last.
+    Regions regions(const View& view) const {
+        if (!drawn.parted()) return {};
+        CameraFrame camera = frameOf(view.camera);
+        camera.eye = glm::dvec3(glm::vec3(camera.eye - drawnScene->origin)); // as the shader gets it
+        return regionsOf(drawnScene->packer.sights(drawn.features()), camera, view.width, view.height);
+    }
+
+    /// Rows of the picture as the settings have it, or others of which only numbers differ.
+    void drawInto(const gl::Target& target, const View& view, const Settings& choices, bool encode, int from, int to) {
+        upload(view, drawn, *drawnScene, choices, encode);
+        glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.get());
+        glViewport(0, 0, view.width, view.height);
+        glDisable(GL_BLEND);
+        drawn.draw(regions(view), {0, from, view.width, to - from});
     }
 
     // Pictures go into a target of our own and from there to the window, also at full scale: some drivers compile a
@@ -326,18 +349,15 @@ struct Renderer::Impl {
     void drawPicture(const View& view) {
         resize(picture, view.width, view.height, GL_RGBA8);
         asked = monotonicSeconds();
-        drawNow(view, picture.framebuffer.get());
+        drawInto(picture, view, drawnSettings, true, 0, view.height);
         drawing.set();
     }
 
     void drawBand(const View& view, int from, int to) {
         resize(aside, view.width, view.height, GL_RGBA8);
-        glScissor(0, from, view.width, to - from);
-        glEnable(GL_SCISSOR_TEST);
         asked = monotonicSeconds();
-        drawNow(view, aside.framebuffer.get());
+        drawInto(aside, view, drawnSettings, true, from, to);
         drawing.set();
-        glDisable(GL_SCISSOR_TEST);
     }
 
     bool busy() {
@@ -359,9 +379,10 @@ struct Renderer::Impl {
         glViewport(0, 0, view.width, view.height);
     }
 
-    static void resize(gl::Target& target, int width, int height, GLenum format) {
-        if (target.width == width && target.height == height && target.format == format) return;
-        target = gl::makeTarget(width, height, format);
+    void resize(gl::Target& target, int width, int height, GLenum format) const {
+        const bool leaves = drawn.leaves(), deep = bool(target.depth) || !leaves;
+        if (target.width == width && target.height == height && target.format == format && deep) return;
+        target = gl::makeTarget(width, height, format, leaves);
     }
 
     /// Draws into a target of `format` and leaves it bound for reading.
@@ -381,7 +402,7 @@ struct Renderer::Impl {
         resize(output, view.width, view.height, format);
         if (!output.framebuffer)
             return refuse("the GL has no memory for a picture of this size", "use a smaller --size");
-        drawInto(output.framebuffer.get(), view, *drawn, *drawnScene, with, encode);
+        drawInto(output, view, with, encode, 0, view.height);
         glPixelStorei(GL_PACK_ALIGNMENT, 1);
         return true;
     }
@@ -461,11 +482,8 @@ ProgramState Renderer::poll(Problems& problems) {
     };
     tell();
     if (!impl_->wanted) return impl_->wantedScene ? ProgramState::Failed : ProgramState::None;
-    const ProgramState state = impl_->programs.poll(
-        *impl_->wanted, [this] { impl_->warmUp(); }, problems);
+    const ProgramState state = impl_->poll(problems);
     tell(); // of its images
-    if (state == ProgramState::Ready && impl_->drawn != impl_->wanted) impl_->adopt();
-    if (state == ProgramState::Ready && impl_->drawnScene != impl_->wantedScene) impl_->adopt();
     return state;
 }
 
@@ -478,7 +496,7 @@ bool Renderer::finish(Problems& problems) {
     return state == ProgramState::Ready;
 }
 
-bool Renderer::canDraw() const { return impl_->drawn != nullptr; }
+bool Renderer::canDraw() const { return impl_->drawn.canDraw(); }
 
 void Renderer::draw(const View& view, double scale, unsigned framebuffer) {
     if (!impl_->drawn || view.width <= 0 || view.height <= 0) return;
@@ -509,7 +527,7 @@ FloatImage Renderer::readOutput(const View& view, Problems& problems) {
 
 Image Renderer::readPicture(const View& view, Problems& problems) {
     if (impl_->drawn && inStretches(impl_->drawnSettings) && impl_->info.floatTargets)
-        return pictureOf(impl_->readInStretches(view, problems), impl_->drawn->features.linear);
+        return pictureOf(impl_->readInStretches(view, problems), impl_->drawn.features().linear);
     if (!impl_->drawOutput(view, GL_RGBA8, true, impl_->drawnSettings, problems)) return {};
     const std::size_t row = std::size_t(view.width) * 4;
     std::vector<std::uint8_t> rgba(row * view.height);
@@ -521,17 +539,17 @@ Image Renderer::readPicture(const View& view, Problems& problems) {
     return image;
 }
 
-ProgramStats Renderer::stats() const { return impl_->drawn ? impl_->drawn->stats : ProgramStats{}; }
+ProgramStats Renderer::stats() const { return impl_->drawn.stats(); }
 
 const std::string& Renderer::source() const {
     static const std::string none;
-    return impl_->drawn ? impl_->drawn->source.text : none;
+    return impl_->drawn ? impl_->drawn.whole().source.text : none;
 }
 
 void Renderer::contextLost() {
     Impl& i = *impl_;
     i.programs.forget();
-    i.wanted = i.drawn = nullptr;
+    i.wanted = i.drawn = {};
     for (const auto& loaded : {i.wantedScene, i.drawnScene}) {
         if (!loaded) continue;
         for (gl::Texture* texture : {&loaded->paints, &loaded->normals, &loaded->sky}) texture->forget();
@@ -545,6 +563,7 @@ void Renderer::contextLost() {
     i.drawing.forget();
     for (gl::Target* target : {&i.picture, &i.aside, &i.output, &i.warm}) {
         target->color.forget();
+        target->depth.forget();
         target->framebuffer.forget();
         *target = {};
     }

@@ -2,6 +2,7 @@
 
 #include "tracer/accel/block.h"
 #include "tracer/accel/node_texels.h"
+#include "tracer/shader/parts.h"
 #include "tracer/shader/solid_source.h"
 
 #include <algorithm>
@@ -135,17 +136,15 @@ ScenePacker::ScenePacker(const Scene& scene, glm::dvec3 origin)
     : scene_(scene), origin_(origin), layout_(layoutOf(scene)), album_(albumOf(scene)), hierarchies_(layout_.size()) {}
 
 std::span<const glm::vec4> ScenePacker::pack(const Features& features, double time, glm::dvec3 eye) {
-    std::vector<Shape> shapes = shapesAbout(time);
-    noteMiddleOfTriangles(shapes);
+    shapes_ = shapesAbout(time);
+    noteMiddleOfTriangles(shapes_);
     texels_.clear();
-    packShapes(shapes, eye - origin_);
-    packSearches(features, shapes, glm::vec3(eye - origin_));
-    for (const KindLayout& kind : layout_)
-        for (const int i : kind.objects)
-            texels_.emplace_back(float(scene_.objects[std::size_t(i)].material), float(i), 0.0f, 0.0f);
+    packShapes(shapes_, eye - origin_);
+    packSearches(features, shapes_, glm::vec3(eye - origin_));
+    packObjects(features);
     for (const Material& material : scene_.materials) packMaterial(material, album_, tiles_, time, texels_);
     packLights();
-    if (features.glows > 0) packGlows(shapes);
+    if (features.glows > 0) packGlows(shapes_);
     return texels_;
 }
 
@@ -194,6 +193,15 @@ void ScenePacker::packSearches(const Features& features, const std::vector<Shape
     }
 }
 
+void ScenePacker::packObjects(const Features& features) {
+    for (std::size_t k = 0; k < layout_.size(); ++k)
+        for (const int i : layout_[k].objects) {
+            const int material = scene_.objects[std::size_t(i)].material;
+            const bool left = leftOut(features, features.shapes[k], scene_.materials[std::size_t(material)]);
+            texels_.emplace_back(float(material), float(i), float(left), 0.0f);
+        }
+}
+
 void ScenePacker::packLights() {
     for (const Light& light : scene_.lights) {
         texels_.emplace_back(glm::vec4(light.position - origin_, light.radius));
@@ -207,6 +215,19 @@ void ScenePacker::packGlows(const std::vector<Shape>& shapes) {
             texels_.emplace_back(glm::vec4(pointOf(shapes[i], "center"), glow->strength));
             texels_.emplace_back(glm::vec4(glow->color, glow->softness));
         }
+}
+
+std::vector<Sight> ScenePacker::sights(const Features& features) const {
+    std::vector<Sight> sights;
+    for (std::size_t k = 0; k < layout_.size(); ++k)
+        for (const int i : layout_[k].objects) {
+            const Shape& shape = shapes_[std::size_t(i)];
+            const Material& material = scene_.materials[std::size_t(scene_.objects[std::size_t(i)].material)];
+            Sight sight{{}, shape.kind == ShapeKind::Sphere, leftOut(features, features.shapes[k], material)};
+            if (layout_[k].kind != ShapeKind::Globe) sight.bounds = boundsOf(shape); // a globe has no end
+            sights.push_back(sight);
+        }
+    return sights;
 }
 
 std::vector<glm::vec4> packScene(const Scene& scene, const Features& features, double time) {

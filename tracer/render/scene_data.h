@@ -1,13 +1,14 @@
 /// The scene's numbers as the shader reads them: one array of vec4.
 ///
 /// Order: for each kind present the geometry of its objects (casters first), then the hierarchies of the kinds that
-/// have one, then per object one texel (material, index in the file), then materials, lights, glows. The offsets are
-/// constants of the specialised shader; see constantsOf().
+/// have one, then per object one texel (material, index in the file, whether the usual program leaves it out), then
+/// materials, lights, glows. The offsets are constants of the specialised shader; see constantsOf().
 #pragma once
 
 #include "tracer/accel/hierarchy.h"
 #include "tracer/accel/layout.h"
 #include "tracer/render/album.h"
+#include "tracer/render/regions.h"
 #include "tracer/scene/scene.h"
 #include "tracer/shader/features.h"
 
@@ -46,6 +47,9 @@ class ScenePacker {
     /// scene; the texels are good until the next call.
     std::span<const glm::vec4> pack(const Features&, double time, glm::dvec3 eye);
 
+    /// What rays from the eye may meet of what was packed last.
+    std::vector<Sight> sights(const Features&) const;
+
     /// From here on images are told to lie on such tiles.
     void setTiles(Tiles tiles) { tiles_ = std::move(tiles); }
 
@@ -53,6 +57,7 @@ class ScenePacker {
     std::vector<Shape> shapesAbout(double time) const;
     void packShapes(const std::vector<Shape>&, glm::dvec3 eye);
     void packSearches(const Features&, const std::vector<Shape>&, glm::vec3 eye);
+    void packObjects(const Features&);
     void packLights();
     void packGlows(const std::vector<Shape>&);
 
@@ -62,6 +67,7 @@ class ScenePacker {
     Album album_;
     Tiles tiles_;
     std::vector<Hierarchy> hierarchies_; ///< of each kind of the layout
+    std::vector<Shape> shapes_;          ///< packed last
     std::vector<Bounds> bounds_;         ///< of one kind; kept for its memory
     std::vector<glm::vec4> texels_;
 };

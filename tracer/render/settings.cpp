@@ -39,6 +39,9 @@ std::vector<SettingRow> makeTable() {
     const ChoiceType accel{{"auto", "none", "hierarchy"},
                            [](const Settings& s) { return int(s.accel); },
                            [](Settings& s, int i) { s.accel = Accel(i); }};
+    const ChoiceType parts{{"auto", "on", "off"},
+                           [](const Settings& s) { return int(s.parts); },
+                           [](Settings& s, int i) { s.parts = Parts(i); }};
     using S = Settings;
     return {
         {"depth", IntType{&S::depth, 1, 8}, "Rays", "How many surfaces light may meet on its way to the eye", 1,
@@ -132,6 +135,7 @@ std::vector<SettingRow> makeTable() {
          Effect::Host},
         {"accel", accel, "Canvas", "How rays find the objects that they meet", 0, {}, {}, Effect::Rebuild},
         {"data", data, "Canvas", "Where the shader finds the scene's numbers", 0, {}, {}, Effect::Rebuild},
+        {"parts", parts, "Canvas", "Smaller shaders draw what needs no more", 0, {}, {}, Effect::Rebuild},
     };
 }
 

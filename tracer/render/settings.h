@@ -33,6 +33,9 @@ enum class DataPath { Auto, Block, Texture };
 /// How rays find the objects that they meet: one after the other, by a hierarchy of boxes, or what costs less.
 enum class Accel { Auto, None, Hierarchy };
 
+/// Whether programs that lack what few pixels need draw where they can: as the GL has it, always, never.
+enum class Parts { Auto, On, Off };
+
 /// All settings with their defaults. What is optional and unset comes from the scene.
 struct Settings {
     int depth = 4;
@@ -61,6 +64,7 @@ struct Settings {
     bool vsync = true;
     Accel accel = Accel::Auto;
     DataPath data = DataPath::Auto;
+    Parts parts = Parts::Auto;
 
     bool operator==(const Settings&) const = default;
 };

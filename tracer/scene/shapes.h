@@ -59,7 +59,8 @@ struct ShapeRow {
     std::array<std::string, 2> (*check)(const Shape&);
     /// The smallest box about the shape; null where it has no end, as a plane, or is told otherwise, as a globe.
     Extent (*extent)(const Shape&);
-    bool convex; ///< the set is, and so are its silhouettes: flat shapes, too
+    bool convex;       ///< the set is, and so are its silhouettes: flat shapes, too
+    bool dear = false; ///< to meet: a ball about it is much cheaper to ask, where few rays come near it
 };
 
 /// One shape, its fields packed as the shader reads them.

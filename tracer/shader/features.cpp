@@ -3,6 +3,7 @@
 #include "tracer/accel/hierarchy.h"
 #include "tracer/accel/layout.h"
 #include "tracer/render/scene_data.h"
+#include "tracer/shader/parts.h"
 #include "tracer/shader/solid_source.h"
 
 #include <algorithm>
@@ -15,6 +16,8 @@ constexpr double kObjectCost = 2;
 constexpr double kBallCost = 0.3;
 /// Of a turn in a walk through cells, which reads a list and a ball; measured 1.5 to 2.1 in clouds of 100 to 10 000.
 constexpr double kCellCost = 1.75;
+/// Of more objects the picture is not looked through for what it may show where: that would take its time each frame.
+constexpr int kMostParted = 1024;
 /// Bits of the sieve.
 constexpr int kMostSieved = 24;
 
@@ -109,7 +112,7 @@ Features featuresOf(const Scene& scene, const Settings& settings, const GlslTarg
     Features features;
     features.output = settings.aov;
     features.es300 = target.es300;
-    features.readAhead = target.processor;
+    features.readAhead = target.processor && !target.swiftShader;
     features.linear = scene.encoding == Encoding::Linear;
     features.materials = int(scene.materials.size());
     features.lights = int(scene.lights.size());
@@ -135,6 +138,11 @@ Features featuresOf(const Scene& scene, const Settings& settings, const GlslTarg
                                            [](const Object& o) { return o.glow.has_value(); }));
     const bool blockIsBest = !target.processor && sceneTexels(features) <= target.blockTexels;
     features.dataBlock = settings.data == DataPath::Block || (settings.data == DataPath::Auto && blockIsBest);
+    features.parted = features.output == Aov::Color && features.objects() <= kMostParted &&
+                      (settings.parts == Parts::On || (settings.parts == Parts::Auto && target.processor));
+    // Other shadows ask all casters at once.
+    const bool rays = features.shadows == ShadowModel::Off || features.shadows == ShadowModel::Hard;
+    if (features.parted && rays && !target.swiftShader) markRare(scene, features);
     return features;
 }
 

@@ -27,6 +27,8 @@ struct KindCount {
     Search search = Search::Loop; ///< for the others
     CellPlan cells{};             ///< where that is the search
     bool images = false;          ///< on some of them: their surfaces tell where on an image a point lies
+    bool rare = false;            ///< few pixels meet one, and asking it is dear: the usual program has only its ball
+    bool imagesRare = false;      ///< few pixels meet one that shows an image: the usual program has none of them
     int form = 0;                 ///< of solids: a number for each form
     std::shared_ptr<const Solid> solid{};
 
@@ -48,7 +50,10 @@ struct Features {
     bool fromLight = false; ///< shadow cones are marched from the light
     bool distances = false; ///< of shapes are asked for
     Aov output = Aov::Color;
-    bool dataBlock = false; ///< numbers in a uniform block, else in a texture
+    bool dataBlock = false;                              ///< numbers in a uniform block, else in a texture
+    bool parted = false;                                 ///< smaller programs draw what they can: tracer/shader/parts.h
+    bool refractionRare = false, normalMapsRare = false; ///< few pixels meet them: the usual program does without
+    bool leaves = false;    ///< the usual program itself, which leaves pixels to the whole one
     bool readAhead = false; ///< numbers at fixed places are read before all loops: shaders/ray/ahead.glsl
     bool es300 = true;      ///< prelude `#version 300 es`, else `330 core`
 
@@ -59,7 +64,8 @@ struct Features {
 struct GlslTarget {
     int blockTexels = 1024; ///< vec4 that a uniform block holds: 16 KiB, as every GL does
     bool es300 = true;
-    bool processor = false; ///< the processor draws: indexing a block costs it more than a fetch from a texture
+    bool processor = false;   ///< the processor draws: indexing a block costs it more than a fetch from a texture
+    bool swiftShader = false; ///< it does: draws a pixel before it tests the depth, reads again what it has read before
 };
 
 /// Pure: the same scene, settings and target give the same features. `settings.data` Auto takes a block where that

@@ -73,19 +73,24 @@ void addNearest(const KindCount& kind, Names& names) {
 
 Names namesOf(const Features& f) {
     Names names;
+    const bool images =
+        std::any_of(f.shapes.begin(), f.shapes.end(), [](const KindCount& kind) { return kind.images; });
+    const int paints = images ? f.paints : 0, normalMaps = images ? f.normalMaps : 0;
     names.values = {
         {"REFLECTION", f.reflection},
         {"REFRACTION", f.refraction},
         {"COATS", f.coats},
-        {"PAINTS", f.paints},
-        {"NORMAL_MAPS", f.normalMaps},
-        {"IMAGES", f.paints + f.normalMaps},
+        {"PAINTS", paints},
+        {"PAINTS_LEFT", f.paints - paints},
+        {"NORMAL_MAPS", normalMaps},
+        {"IMAGES", paints + normalMaps},
         {"CUBEMAP", f.cubemap},
         {"LINEAR", f.linear},
         {"LIGHTS", f.lights},
         {"GLOWS", f.glows},
         {"DATA_BLOCK", f.dataBlock},
         {"READ_AHEAD", f.readAhead},
+        {"LEAVES", f.leaves},
         {"SHADOWS", f.shadows != ShadowModel::Off},
         {"SHADOW_RAYS", shadowRow(f.shadows).rays},
         {"SHADOWS_IN_TREE", f.shadows == ShadowModel::Hard},
@@ -109,11 +114,20 @@ Names namesOf(const Features& f) {
         {"HIERARCHY", int(Search::Hierarchy)},
         {"CELLS", int(Search::Cells)},
     };
+    // Of any kind: none in a program that is left with no kind to ask.
+    for (const char* name :
+         {"SEARCHES", "BLOCKS", "CELL_GRIDS", "HIERARCHIES", "ESTIMATED_CASTERS", "MARCHED_CASTERS", "RACKS", "NEARBY"})
+        names.values[name] = 0;
     // Solids have shapes for parts that the scene has no object of.
     for (const ShapeRow& row : shapeTable()) names.values[mapped(std::string(row.type), std::toupper) + "_IMAGES"] = 0;
     auto& shapes = names.lists["SHAPES"];
     auto& casters = names.lists["CASTERS"];
+    auto& rare = names.lists["RARE"];
     for (const KindCount& kind : f.shapes) {
+        if (f.leaves && kind.rare) {
+            rare.push_back(kind.type());
+            continue;
+        }
         shapes.push_back(kind.type());
         if (kind.casters > 0) casters.push_back(kind.type());
         addShape(kind, names);
@@ -127,8 +141,8 @@ Names namesOf(const Features& f) {
         auto& numbers = names.lists[list];
         for (int layer = 0; layer < count; ++layer) numbers.push_back(std::to_string(layer));
     };
-    layers("PAINT_LAYERS", f.paints);
-    layers("NORMAL_LAYERS", f.normalMaps);
+    layers("PAINT_LAYERS", paints);
+    layers("NORMAL_LAYERS", normalMaps);
     return names;
 }
 

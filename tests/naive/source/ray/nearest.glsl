@@ -7,8 +7,6 @@
 #include "primitive/$shape.glsl"
 #endfor
 
-const float kFar = 3e38;
-
 struct HitRecord {
     float t;
     int object;

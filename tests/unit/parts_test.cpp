@@ -1,0 +1,80 @@
+/// What is rare in a scene, and what the usual program then goes without.
+#include "tests/support/scenes.h"
+#include "tracer/render/scene_data.h"
+#include "tracer/shader/parts.h"
+
+#include <gtest/gtest.h>
+
+namespace gnomon {
+namespace {
+
+using namespace test;
+
+constexpr GlslTarget kProcessor{.processor = true};
+
+const KindCount& kindIn(const Features& features, ShapeKind kind) {
+    for (const KindCount& count : features.shapes)
+        if (count.kind == kind) return count;
+    ADD_FAILURE() << "no such kind";
+    return features.shapes.front();
+}
+
+TEST(Parts, OfProAreTheTorusTheGlassAndThePlanetsImages) {
+    const Features whole = featuresOf(sceneNamed("pro"), {}, kProcessor);
+    EXPECT_TRUE(whole.parted);
+    EXPECT_TRUE(whole.refractionRare);
+    EXPECT_TRUE(whole.normalMapsRare);
+    EXPECT_TRUE(kindIn(whole, ShapeKind::Torus).rare);
+    EXPECT_FALSE(kindIn(whole, ShapeKind::Box).rare) << "cheap to ask";
+    EXPECT_TRUE(kindIn(whole, ShapeKind::Sphere).imagesRare);
+    EXPECT_FALSE(kindIn(whole, ShapeKind::Disc).imagesRare) << "the ground is seen everywhere";
+    const Features usual = usualOf(whole);
+    EXPECT_TRUE(usual.leaves);
+    EXPECT_FALSE(usual.refraction);
+    EXPECT_TRUE(usual.reflection) << "of the mirror";
+    EXPECT_EQ(usual.normalMaps, 0);
+    EXPECT_GT(usual.paints, 0);
+    EXPECT_FALSE(kindIn(usual, ShapeKind::Sphere).images);
+    EXPECT_TRUE(kindIn(usual, ShapeKind::Disc).images);
+}
+
+TEST(Parts, HaveTheirNumbersInOnePlace) {
+    for (const char* name : {"lite", "pro", "shapes", "torus"}) {
+        const Features whole = featuresOf(sceneNamed(name), {}, kProcessor);
+        EXPECT_EQ(constantsOf(whole), constantsOf(usualOf(whole))) << name;
+    }
+}
+
+TEST(Parts, AreForProcessorsUnlessAskedFor) {
+    const Scene scene = sceneNamed("pro");
+    Settings on, off, silhouette, work;
+    on.parts = Parts::On;
+    off.parts = Parts::Off;
+    silhouette.shadows = ShadowModel::Silhouette;
+    work.aov = Aov::Work;
+    EXPECT_FALSE(featuresOf(scene, {}, {}).parted);
+    EXPECT_TRUE(featuresOf(scene, on, {}).parted);
+    EXPECT_FALSE(featuresOf(scene, off, kProcessor).parted);
+    EXPECT_FALSE(featuresOf(scene, work, kProcessor).parted) << "counts what the whole program asks";
+    EXPECT_TRUE(featuresOf(scene, silhouette, kProcessor).parted) << "with a sky of its own";
+    EXPECT_FALSE(anyRare(featuresOf(scene, silhouette, kProcessor))) << "which asks all casters";
+    const GlslTarget swiftShader{.processor = true, .swiftShader = true};
+    EXPECT_TRUE(featuresOf(scene, {}, swiftShader).parted);
+    EXPECT_FALSE(anyRare(featuresOf(scene, {}, swiftShader))) << "it would draw each pixel twice";
+}
+
+TEST(Parts, LeaveNothingOutThatIsSeenALot) {
+    const Scene near = sceneFrom(R"({
+        "camera": {"eye": [0, 0, 4], "target": [0, 0, 0]},
+        "materials": {"glass": {"dielectric": {"ior": 1.5}}},
+        "objects": [{"sphere": {"center": [0, 0, 0], "radius": 1}, "material": "glass"},
+                    {"torus": {"center": [0, 0, 0], "axis": [0, 1, 0], "major_radius": 1.5, "minor_radius": 0.2}}]})");
+    EXPECT_FALSE(anyRare(featuresOf(near, {}, kProcessor)));
+    Scene far = near;
+    far.camera.eye.z = 40;
+    EXPECT_TRUE(featuresOf(far, {}, kProcessor).refractionRare);
+    EXPECT_TRUE(kindIn(featuresOf(far, {}, kProcessor), ShapeKind::Torus).rare);
+}
+
+} // namespace
+} // namespace gnomon
