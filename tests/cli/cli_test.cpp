@@ -446,7 +446,7 @@ TEST_F(Cli, PrintsTheShaderWithoutAnyGl) {
     EXPECT_EQ(es.out.rfind("#version 300 es", 0), 0U);
     EXPECT_EQ(core.out.rfind("#version 330 core", 0), 0U);
     EXPECT_NE(canvas.out.find("gl_Position"), std::string::npos);
-    EXPECT_EQ(sky.out.find("Sphere"), std::string::npos);
+    EXPECT_EQ(sky.out.find("struct Sphere"), std::string::npos);
     EXPECT_NE(usual.out.find("discard"), std::string::npos);
     EXPECT_EQ(usual.out.find("kDielectric) {"), std::string::npos) << "lite's glass is rare";
     EXPECT_NE(es.out.find("kDielectric) {"), std::string::npos);

@@ -12,7 +12,7 @@ constexpr double kMargin = 1; // pixels about a rectangle
 
 enum class Shows : unsigned char { Sky, Usual, Rare };
 
-/// A box in the camera's coordinates: right, up and ahead.
+/// The box about an object, seen from the eye along the world's axes, and the ball within which it lies in that.
 struct Body {
     glm::dvec3 middle, half;
     double radius;

@@ -5,6 +5,7 @@
 #include "tracer/render/camera.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace gnomon {
