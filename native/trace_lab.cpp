@@ -3,6 +3,7 @@
 #include "tests/naive/naive.h"
 #include "tests/naive/source_scene.h"
 #include "tracer/clock.h"
+#include "tracer/render/program_cache.h"
 #include "tracer/render/scene_data.h"
 
 #include <algorithm>
@@ -125,16 +126,12 @@ Settings TraceLab::settingsFor(const TraceWay& way) const {
     return settings;
 }
 
-int TraceLab::blockTexels() const { return info_.maxUniformBlockSize / int(sizeof(glm::vec4)); }
-
 Features TraceLab::featuresFor(const Scene& scene, const TraceWay& way) const {
-    return featuresOf(
-        scene, settingsFor(way),
-        {blockTexels(), info_.essl300, gl::drawnByProcessor(info_.renderer), gl::drawnBySwiftShader(info_.renderer)});
+    return featuresOf(scene, settingsFor(way), targetOf(info_));
 }
 
 bool TraceLab::fits(const Scene& scene, const TraceWay& way) const {
-    return way.data == DataPath::Texture || sceneTexels(featuresFor(scene, way)) <= blockTexels();
+    return way.data == DataPath::Texture || sceneTexels(featuresFor(scene, way)) <= targetOf(info_).blockTexels;
 }
 
 std::size_t TraceLab::stepsOf(const Scene& scene) const {

@@ -85,7 +85,6 @@ class TraceLab {
     };
     std::optional<Prepared> prepare(const Scene&, const NamedImages&, const TraceWay&, std::span<const View>,
                                     Problems&) const;
-    int blockTexels() const;
     Settings settingsFor(const TraceWay&) const;
     Features featuresFor(const Scene&, const TraceWay&) const;
     bool fits(const Scene&, const TraceWay&) const;

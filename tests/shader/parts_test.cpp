@@ -94,6 +94,24 @@ TEST(Parts, HaveTheSkyOfAllShadowModels) {
     }
 }
 
+/// A march hits what its pixel's cone grazes, if only within the ball about the object.
+TEST(Parts, OfDistanceObjectsAreTheWholePicture) {
+    for (const char* name : {"solids", "mandelbulb", "complex"})
+        for (const March march : {March::Cone, March::Sphere}) {
+            const Scene scene = sceneNamed(name);
+            Settings settings;
+            settings.march = march;
+            const glm::dvec3 eye = scene.camera.eye, target = scene.camera.target;
+            expectSame(scene, {{eye, target}, {target + 3.0 * (eye - target), target, 0, 60}}, settings, name);
+        }
+}
+
+TEST(Parts, FarFromTheOriginAreTheWholePicture) {
+    const glm::dvec3 by{30000, -7000, 500};
+    expectSame(moved(sceneNamed("pro"), by), {{by + glm::dvec3(0, 0, 35), by}, {by + glm::dvec3(14, 2, 8), by}}, {},
+               "far away");
+}
+
 /// All that may be rare in a room of mirrors and much that is not, small and far and near, some in motion.
 Scene crowd(std::uint64_t seed) {
     Dice dice(seed);

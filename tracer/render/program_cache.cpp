@@ -27,6 +27,11 @@ void bindInterface(const CachedProgram& entry) {
 
 } // namespace
 
+GlslTarget targetOf(const gl::Info& info) {
+    return {info.maxUniformBlockSize / int(sizeof(glm::vec4)), info.essl300, gl::drawnByProcessor(info.renderer),
+            gl::drawnBySwiftShader(info.renderer)};
+}
+
 std::shared_ptr<CachedProgram> ProgramCache::get(const Features& features, Problems& problems, std::string_view pass) {
     const double start = monotonicSeconds();
     Problems faults;

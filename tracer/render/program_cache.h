@@ -19,6 +19,9 @@ namespace gnomon {
 inline constexpr GLuint kFrameBinding = 0, kSceneBinding = 1;
 inline constexpr int kDataUnit = 0, kSkyUnit = 1, kPaintUnit = 2, kNormalUnit = 3;
 
+/// What shaders are written for where the GL is this one.
+GlslTarget targetOf(const gl::Info&);
+
 /// One specialised program and what it took to make.
 struct CachedProgram {
     Features features;

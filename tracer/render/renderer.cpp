@@ -208,19 +208,12 @@ struct Renderer::Impl {
 
     // --- limits -----------------------------------------------------------------------------------------------------
 
-    int blockTexels() const { return info.maxUniformBlockSize / int(sizeof(glm::vec4)); }
-
-    GlslTarget target() const {
-        return {blockTexels(), info.essl300, gl::drawnByProcessor(info.renderer),
-                gl::drawnBySwiftShader(info.renderer)};
-    }
-
     bool fits(const Scene& scene, Problems& problems) const {
         const std::size_t before = problems.size();
         const auto refuse = [&](const std::string& what, const std::string& remedy) {
             problems.push_back({scene.file, 0, {}, what, remedy});
         };
-        const int texels = sceneTexels(featuresOf(scene, settings, target()));
+        const int texels = sceneTexels(featuresOf(scene, settings, targetOf(info)));
         const long most = long(kDataWidth) * info.maxTextureSize;
         if (texels > most)
             refuse("the scene takes " + std::to_string(texels) + " texels, this GL holds " + std::to_string(most),
@@ -238,15 +231,15 @@ struct Renderer::Impl {
 
     void choose() {
         if (!wantedScene) return;
-        Features features = featuresOf(wantedScene->scene, settings, target());
-        if (const int texels = sceneTexels(features); features.dataBlock && texels > blockTexels()) {
+        Features features = featuresOf(wantedScene->scene, settings, targetOf(info));
+        if (const int texels = sceneTexels(features); features.dataBlock && texels > targetOf(info).blockTexels) {
             features.dataBlock = false;
             pending.push_back({wantedScene->scene.file,
                                0,
                                {},
                                "the scene takes " + std::to_string(texels) +
-                                   " texels, a uniform block of this GL holds " + std::to_string(blockTexels()) +
-                                   ": its numbers go into a texture",
+                                   " texels, a uniform block of this GL holds " +
+                                   std::to_string(targetOf(info).blockTexels) + ": its numbers go into a texture",
                                {}});
         }
         wanted = Programs(features, programs, pending);

@@ -83,7 +83,12 @@ Features usualOf(Features features) {
     features.refraction = features.refraction && !features.refractionRare;
     features.reflection = features.conductors || features.coats || features.refraction;
     if (features.normalMapsRare) features.normalMaps = 0;
-    for (KindCount& kind : features.shapes) kind.images = kind.images && !kind.imagesRare && !kind.rare;
+    bool images = false;
+    for (KindCount& kind : features.shapes) {
+        kind.images = kind.images && !kind.imagesRare && !kind.rare;
+        images |= kind.images;
+    }
+    if (!images) features.paints = features.normalMaps = 0;
     return features;
 }
 

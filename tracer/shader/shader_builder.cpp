@@ -73,17 +73,13 @@ void addNearest(const KindCount& kind, Names& names) {
 
 Names namesOf(const Features& f) {
     Names names;
-    const bool images =
-        std::any_of(f.shapes.begin(), f.shapes.end(), [](const KindCount& kind) { return kind.images; });
-    const int paints = images ? f.paints : 0, normalMaps = images ? f.normalMaps : 0;
     names.values = {
         {"REFLECTION", f.reflection},
         {"REFRACTION", f.refraction},
         {"COATS", f.coats},
-        {"PAINTS", paints},
-        {"PAINTS_LEFT", f.paints - paints},
-        {"NORMAL_MAPS", normalMaps},
-        {"IMAGES", paints + normalMaps},
+        {"PAINTS", f.paints},
+        {"NORMAL_MAPS", f.normalMaps},
+        {"IMAGES", f.paints + f.normalMaps},
         {"CUBEMAP", f.cubemap},
         {"LINEAR", f.linear},
         {"LIGHTS", f.lights},
@@ -141,8 +137,8 @@ Names namesOf(const Features& f) {
         auto& numbers = names.lists[list];
         for (int layer = 0; layer < count; ++layer) numbers.push_back(std::to_string(layer));
     };
-    layers("PAINT_LAYERS", paints);
-    layers("NORMAL_LAYERS", normalMaps);
+    layers("PAINT_LAYERS", f.paints);
+    layers("NORMAL_LAYERS", f.normalMaps);
     return names;
 }
 
