@@ -7,14 +7,13 @@
 // Error        no ball is missed: it keeps 1/64 of a cell from the walls of its own
 #include "accel/walk.glsl"
 
-int nextInBlock(int at, vec3 cells, Ray ray, float t, int self, inout GridWalk walk) {
-    vec4 corner = sceneTexel(at);
-    vec3 size = sceneTexel(at + 1).xyz;
+int nextInBlock(vec3 cells, Ray ray, float t, int self, inout GridWalk walk) {
     float last = lastStep(walk, t);
+    float stretch = stretchOf(ray);
     while (walk.s <= last && !leftGrid(cells, walk)) {
         vec3 middle = walk.cell + 0.5;
         int index = stepOn(cells, walk);
-        if (index == self || !passesBy(ray, vec4(corner.xyz + middle * size, corner.w))) return index;
+        if (index == self || !passesBy(ray, stretch, vec4(walk.corner.xyz + middle * walk.size, walk.corner.w))) return index;
     }
     return -1;
 }

@@ -47,11 +47,13 @@ Search$Shape start$Shape(Ray ray) {
 #else
     int self = ray.self - k$ShapeFirst - k$ShapeLoose;
     search.sieve = self >= 0 && self < k$ShapeCount - k$ShapeLoose ? 1u << uint(self) : 0u;
+    float stretch = stretchOf(ray);
 #for Part in $SHAPE_SIEVE
     // Always true. Without it GPUs load all balls at once, and have no registers for so many.
     if (frame.zero.x == 0u) {
 #for Bit in $SHAPE_SIEVE_$PART
-        if (!passesBy(ray, ball$Shape(load$Shape(k$ShapeBase + (k$ShapeLoose + $Bit) * k$ShapeTexels)))) search.sieve |= 1u << $Bitu;
+        bool passes$Bit = passesBy(ray, stretch, ball$Shape(load$Shape(k$ShapeBase + (k$ShapeLoose + $Bit) * k$ShapeTexels)));
+        search.sieve |= passes$Bit ? 0u : 1u << $Bitu;
 #endfor
     }
 #endfor
@@ -94,7 +96,7 @@ int next$Shape(inout Search$Shape search, Ray ray, float t) {
     }
 #endif
 #if $SHAPE_BLOCK
-    return nextInBlock(k$ShapeBlock, vec3(k$ShapeBlockX, k$ShapeBlockY, k$ShapeBlockZ), ray, t, ray.self - k$ShapeFirst, search.block);
+    return nextInBlock(vec3(k$ShapeBlockX, k$ShapeBlockY, k$ShapeBlockZ), ray, t, ray.self - k$ShapeFirst, search.block);
 #else
     return -1;
 #endif

@@ -12,11 +12,14 @@ struct GridWalk {
     vec3 cell;     // the next; one outside of the grid ends the walk
     float s;       // where the re-centred ray enters it
     float closest; // t where s is 0
+    vec4 corner;   // of the grid, as its texels tell it
+    vec3 size;     // of a cell
 };
 
 GridWalk enterGrid(int at, vec3 cells, Ray ray) {
+    vec4 corner = sceneTexel(at);
     vec3 size = sceneTexel(at + 1).xyz;
-    NearRay near = recentre(ray.origin, sceneTexel(at).xyz + 0.5 * cells * size, ray.direction);
+    NearRay near = recentre(ray.origin, corner.xyz + 0.5 * cells * size, ray.direction);
     vec3 direction = ray.direction / size;
     vec3 onward = mix(vec3(-1.0), vec3(1.0), vec3(greaterThanEqual(direction, vec3(0.0))));
     vec3 perCell = onward / max(abs(direction), vec3(1e-18));
@@ -27,7 +30,7 @@ GridWalk enterGrid(int at, vec3 cells, Ray ray) {
     float s = max(max(enter.x, enter.y), max(enter.z, -closest));
     bool passes = s > min(leave.x, min(leave.y, leave.z));
     vec3 cell = passes ? vec3(-1.0) : clamp(floor(origin + s / perCell), vec3(0.0), cells - 1.0);
-    return GridWalk(origin, perCell, cell, s, closest);
+    return GridWalk(origin, perCell, cell, s, closest, corner, size);
 }
 
 bool leftGrid(vec3 cells, GridWalk walk) {

@@ -54,8 +54,6 @@ vec2 boxSpan(vec3 enter, vec3 leave) {
 }
 
 bool intersectBox(Box box, Ray ray, float side, inout float t) {
-    if (side > 0.0) return false; // convex: what leaves it never comes back
-    if (side == 0.0 && passesBy(ray, ballBox(box))) return false;
     NearRay near = recentre(ray.origin, box.center, ray.direction);
     vec3 enter, leave;
     boxSlabs(box, near.origin, ray.direction, enter, leave);

@@ -22,9 +22,10 @@ vec2 commonSpan(vec2 a, vec2 b) {
 vec2 hullSpan(vec2 a, vec2 b) { return vec2(min(a.x, b.x), max(a.y, b.y)); }
 
 vec2 slabSpan(float p, float d, float halfWidth) {
-    if (abs(d) < kParallel) return abs(p) <= halfWidth ? kAlways : kNever;
     vec2 s = (vec2(-halfWidth, halfWidth) - p) / d;
-    return vec2(min(s.x, s.y), max(s.x, s.y));
+    vec2 ends = vec2(min(s.x, s.y), max(s.x, s.y));
+    vec2 alongside = abs(p) <= halfWidth ? kAlways : kNever;
+    return abs(d) < kParallel ? alongside : ends;
 }
 
 // Roots of a s² + 2 b s + c, given the discriminant b² - a c, which each shape has in a form that does not cancel.
@@ -47,13 +48,13 @@ vec2 roundSpan(vec3 p, vec3 d, float radius) {
 }
 
 bool meetConvex(NearRay near, vec2 span, Ray ray, float side, inout float t) {
-    if (side == 0.0 && !(span.x <= span.y)) return false;
     float entry = near.tHigh + (near.tLow + span.x);
     float leave = near.tHigh + (near.tLow + span.y);
     float hit = side < 0.0 ? max(leave, 0.0) : (entry > ray.tMin ? entry : leave);
-    if (!(hit < t) || (side == 0.0 && !(hit > ray.tMin))) return false;
-    t = hit;
-    return true;
+    // What leaves a convex body never comes back.
+    bool meets = side <= 0.0 && hit < t && (side < 0.0 || (span.x <= span.y && hit > ray.tMin));
+    t = meets ? hit : t;
+    return meets;
 }
 
 float spanEnd(NearRay near, vec2 span, float t, out float end) {

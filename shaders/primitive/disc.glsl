@@ -48,12 +48,12 @@ vec3 discOffset(Disc disc, Ray ray, out float t) {
 }
 
 bool intersectDisc(Disc disc, Ray ray, float side, inout float t) {
-    if (side != 0.0 || passesBy(ray, ballDisc(disc))) return false;
+    if (side != 0.0) return false;
     float hit;
     vec3 offset = discOffset(disc, ray, hit);
-    if (!(hit > ray.tMin && hit < t && dot(offset, offset) <= disc.radius * disc.radius)) return false;
-    t = hit;
-    return true;
+    bool meets = hit > ray.tMin && hit < t && dot(offset, offset) <= disc.radius * disc.radius;
+    t = meets ? hit : t;
+    return meets;
 }
 
 Surface surfaceDisc(Disc disc, Ray ray, float t) {

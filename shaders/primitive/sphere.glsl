@@ -42,22 +42,19 @@ float halfChord(Sphere sphere, NearRay near, vec3 direction, out vec3 foot, out 
 }
 
 bool intersectSphere(Sphere sphere, Ray ray, float side, inout float t) {
-    if (side > 0.0) return false; // convex: what leaves it never comes back
-    if (passesBy(ray, ballSphere(sphere))) return false;
     NearRay near = recentre(ray.origin, sphere.center, ray.direction);
     vec3 foot;
     float fromNear;
     float h = halfChord(sphere, near, ray.direction, foot, fromNear);
-    if (h < 0.0) {
-        if (side == 0.0) return false;
-        h = 0.0; // a ray inside leaves at its start where rounding says it passes by
-    }
+    bool passes = h < 0.0;
+    h = max(h, 0.0); // a ray inside leaves at its start where rounding says it passes by
     float entry = near.tHigh + ((near.tLow + fromNear) - h);
     float leave = near.tHigh + ((near.tLow + fromNear) + h);
     float hit = side < 0.0 ? max(leave, 0.0) : (entry > ray.tMin ? entry : leave);
-    if (!(hit < t) || (side == 0.0 && !(hit > ray.tMin))) return false;
-    t = hit;
-    return true;
+    // Convex: what leaves it never comes back.
+    bool meets = side <= 0.0 && hit < t && (side < 0.0 || (!passes && hit > ray.tMin));
+    t = meets ? hit : t;
+    return meets;
 }
 
 Surface surfaceSphere(Sphere sphere, Ray ray, float t) {

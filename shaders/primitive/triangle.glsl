@@ -9,10 +9,10 @@
 //                    its height, point 2 and normal 1 roundings, as docs/numerics.md names them (tests/shader/intersect_test.cpp);
 //                    distance 2.5 roundings, gradient 3, times a sliver's size over its height (tests/shader/distance_test.cpp;
 //                    measured 2.0 and 2.1)
-// Source             S. Woop, C. Benthin, I. Wald, Watertight Ray/Triangle Intersection, JCGT 2(1) 2013; every edge function
-//                    is computed in one order of its two vertices, so that contraction to fused multiply-add cannot tell
-//                    the two triangles of an edge apart. The ray is re-centred on the middle of all triangles, one point for
-//                    all of them: they go on seeing one and the same ray (docs/numerics.md)
+// Source             S. Woop, C. Benthin, I. Wald, Watertight Ray/Triangle Intersection, JCGT 2(1) 2013; no edge function is
+//                    contracted to fused multiply-add, which would tell the two triangles of an edge apart. The ray is
+//                    re-centred on the middle of all triangles, one point for all of them: they go on seeing one and the
+//                    same ray (docs/numerics.md)
 // Limits             not degenerate
 struct Triangle {
     vec3 a, b, c;
@@ -60,37 +60,39 @@ vec3 middleOfTriangles() {
     return vec3(sceneTexel(kTriangleBase).w, sceneTexel(kTriangleBase + 1).w, sceneTexel(kTriangleBase + 2).w);
 }
 
-// A point relative to the ray's origin, seen along the ray: xy across it, z along it in units of the direction's largest
-// component.
-vec3 sheared(vec3 p, vec3 d) {
+// How points are seen along a ray: along the axis where its direction is largest, and across it.
+struct Shear {
+    vec3 axis;  // 1 along it
+    vec2 slope; // of the direction, across
+    float unit; // the direction along it
+};
+
+Shear shearAlong(vec3 d) {
     vec3 size = abs(d);
-    if (size.x > size.y && size.x > size.z) {
-        p = p.yzx;
-        d = d.yzx;
-    } else if (size.y > size.z) {
-        p = p.zxy;
-        d = d.zxy;
-    }
-    return vec3(p.xy - (d.xy / d.z) * p.z, p.z / d.z);
+    bool alongX = size.x > size.y && size.x > size.z;
+    bool alongY = size.y > size.z;
+    vec3 axis = alongX ? vec3(1.0, 0.0, 0.0) : (alongY ? vec3(0.0, 1.0, 0.0) : vec3(0.0, 0.0, 1.0));
+    float unit = dot(d, axis);
+    return Shear(axis, vec2(dot(d, axis.zxy), dot(d, axis.yzx)) / unit, unit);
 }
 
-// Twice the signed area of the origin with a and b; exactly negated when they change places.
-float edge(vec2 a, vec2 b) {
-    bool swapped = b.x < a.x || (b.x == a.x && b.y < a.y);
-    vec2 first = swapped ? b : a;
-    vec2 second = swapped ? a : b;
-    float area = first.x * second.y - first.y * second.x;
-    return swapped ? -area : area;
+// A point relative to the ray's origin.
+vec3 sheared(vec3 p, Shear shear) {
+    float along = dot(p, shear.axis);
+    return vec3(vec2(dot(p, shear.axis.zxy), dot(p, shear.axis.yzx)) - along * shear.slope, along / shear.unit);
 }
 
 // Weights of a, b, c times the returned sum, and the s of the re-centred ray times it; the sum is 0 where the ray misses.
 float weigh(Triangle triangle, Ray ray, out NearRay near, out vec3 weights, out float scaledS) {
     vec3 middle = middleOfTriangles();
     near = recentre(ray.origin, middle, ray.direction);
-    vec3 a = sheared((triangle.a - middle) - near.origin, ray.direction);
-    vec3 b = sheared((triangle.b - middle) - near.origin, ray.direction);
-    vec3 c = sheared((triangle.c - middle) - near.origin, ray.direction);
-    weights = vec3(edge(c.xy, b.xy), edge(a.xy, c.xy), edge(b.xy, a.xy));
+    Shear shear = shearAlong(ray.direction);
+    vec3 a = sheared((triangle.a - middle) - near.origin, shear);
+    vec3 b = sheared((triangle.b - middle) - near.origin, shear);
+    vec3 c = sheared((triangle.c - middle) - near.origin, shear);
+    // Twice the signed areas of the origin with each edge. Opaque products are rounded before they are subtracted: the area is
+    // exactly negated where the vertices of an edge change places.
+    weights = opaque(vec3(c.x, a.x, b.x) * vec3(b.y, c.y, a.y)) - opaque(vec3(c.y, a.y, b.y) * vec3(b.x, c.x, a.x));
     scaledS = dot(weights, vec3(a.z, b.z, c.z));
     bool inside = all(greaterThanEqual(weights, vec3(0.0))) || all(lessThanEqual(weights, vec3(0.0)));
     return inside ? weights.x + weights.y + weights.z : 0.0;
@@ -102,11 +104,10 @@ bool intersectTriangle(Triangle triangle, Ray ray, float side, inout float t) {
     vec3 weights;
     float scaledS;
     float sum = weigh(triangle, ray, near, weights, scaledS);
-    if (sum == 0.0) return false;
     float hit = near.tHigh + (near.tLow + scaledS / sum);
-    if (!(hit > ray.tMin && hit < t)) return false;
-    t = hit;
-    return true;
+    bool meets = sum != 0.0 && hit > ray.tMin && hit < t;
+    t = meets ? hit : t;
+    return meets;
 }
 
 Surface surfaceTriangle(Triangle triangle, Ray ray, float t) {

@@ -36,7 +36,8 @@ int nearestHit(Ray ray, bool shadow, inout float t) {
 #for Shape in SHAPES
 #if $SHAPE_SEARCHED
     Search$Shape search$Shape = start$Shape(ray);
-    for (int i = 0; i <= k$ShapeCount; ++i) {
+    bool more$Shape;
+    do {
         int index = next$Shape(search$Shape, ray, t);
         float limit = uintBitsToFloat(floatBitsToUint(t) + 1u); // a hit at the same distance counts
         bool asked = index >= 0 && (!shadow || index < k$ShapeCasters);
@@ -44,11 +45,16 @@ int nearestHit(Ray ray, bool shadow, inout float t) {
             t = shadow ? 0.0 : limit; // what is in the way ends the other searches, too
             nearest = k$ShapeFirst + index;
         }
-        if (ended$Shape(search$Shape) || index < 0 || (shadow && nearest >= 0)) break;
-    }
+        more$Shape = !(ended$Shape(search$Shape) || index < 0 || (shadow && nearest >= 0));
+    } while (more$Shape);
+#elif $SHAPE_ALONE
+    if ((!shadow || 0 < k$ShapeCasters) && meets$Shape(0, ray, t)) nearest = k$ShapeFirst;
 #else
-    for (int i = 0; i < k$ShapeCount; ++i)
-        if ((!shadow || i < k$ShapeCasters) && meets$Shape(i, ray, t)) nearest = k$ShapeFirst + i;
+    int at$Shape = 0;
+    do {
+        if ((!shadow || at$Shape < k$ShapeCasters) && meets$Shape(at$Shape, ray, t)) nearest = k$ShapeFirst + at$Shape;
+        ++at$Shape;
+    } while (at$Shape < k$ShapeCount);
 #endif
 #endfor
 #if LEAVES

@@ -34,8 +34,13 @@ Ray nextShadowRay(Ray ray, inout ShadowRays shadows, out float t, out vec3 adds)
 int nearestPastShadows(inout uint trail, inout Ray ray, inout Path path, inout bool ahead, inout ShadowRays shadows,
                        inout vec3 color, out float t) {
     int object = -1;
-    // Wide SIMD runs a loop's body as long as a pixel is in it: the end is found at its end.
+    // Wide SIMD runs a loop's body as long as a pixel is in it: the end is found at its end. Compilers for GPUs spare registers
+    // where they know the number of turns; SwiftShader pays for the count at each end.
+#if TURNS_COUNTED
     for (int i = 0; i <= kLightCount; ++i) {
+#else
+    for (;;) {
+#endif
         bool shadow = shadows.lit.counting != 0u;
         if (!shadow && !ahead) {
             popRay(trail, ray, path);

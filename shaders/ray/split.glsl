@@ -4,8 +4,9 @@
 //           factors are halves of 12 bits, rounded to nearest, so that each partial sum is a multiple of its own last
 //           place; what the difference of origin and center loses is added at the end, where nothing cancels any more.
 //           |error of the new origin| <= 1 ulp of the closest distance, from any distance (4.9e-4 naively at 1e4 units)
-// passesBy  whether the ray's line passes a ball by, {centre, radius} or of that radius about the origin, with the room that
-//           rounding from far away needs; most shapes are dismissed by this alone
+// passesBy  whether the ray's line passes a ball by, {centre, radius}, with the room that rounding from far away needs: searches
+//           and shapes that are dear to meet dismiss most objects by this alone. `stretch`, of the ray, is the same for all
+//           balls: not every compiler sees that
 // Source    Dekker's splitting and Knuth's exact difference; figures in docs/numerics.md
 // Limits    any direction but 0. Some compilers fold d - dh back into d, or (a - b) - a into -b: the zero of the frame
 //           block, opaque to them, keeps them apart
@@ -36,10 +37,13 @@ NearRay recentre(vec3 origin, vec3 center, vec3 direction) {
     return NearRay(closest + (tLow * low + lostBy(toOrigin, origin, center)), tHigh, tLow);
 }
 
-bool passesBy(vec3 toOrigin, vec3 direction, float reach) {
-    vec3 moment = cross(toOrigin, direction);
-    float room = reach + 1e-6 * (abs(toOrigin.x) + abs(toOrigin.y) + abs(toOrigin.z));
-    return dot(moment, moment) > room * room * dot(direction, direction) * 1.00001;
+float stretchOf(Ray ray) { return 1.00001 * dot(ray.direction, ray.direction); }
+
+bool passesBy(Ray ray, float stretch, vec4 ball) {
+    vec3 toOrigin = ray.origin - ball.xyz;
+    vec3 moment = cross(toOrigin, ray.direction);
+    float room = ball.w + 1e-6 * (abs(toOrigin.x) + abs(toOrigin.y) + abs(toOrigin.z));
+    return dot(moment, moment) > room * room * stretch;
 }
 
-bool passesBy(Ray ray, vec4 ball) { return passesBy(ray.origin - ball.xyz, ray.direction, ball.w); }
+bool passesBy(Ray ray, vec4 ball) { return passesBy(ray, stretchOf(ray), ball); }

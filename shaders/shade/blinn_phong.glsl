@@ -13,12 +13,12 @@ vec3 reflectedLight(Light light, Material material, vec3 albedo, vec3 point, vec
     vec3 toLight = light.position - point;
     vec3 direction = toLight * inversesqrt(max(dot(toLight, toLight), 1e-30));
     float cosine = dot(normal, direction);
-    if (cosine <= 0.0 || dot(facing, direction) <= 0.0) return vec3(0.0);
+    bool reached = cosine > 0.0 && dot(facing, direction) > 0.0;
     vec3 diffuse = clamp(albedo * cosine, 0.0, 1.0);
     vec3 between = direction + toEye;
     float highlight = max(dot(normal, between) * inversesqrt(max(dot(between, between), 1e-30)), 0.0);
     vec3 specular = highlight > 0.0 ? clamp(material.specular * pow(highlight, material.shininess), 0.0, 1.0) : vec3(0.0);
-    return light.color * (diffuse + specular);
+    return reached ? light.color * (diffuse + specular) : vec3(0.0);
 }
 
 // What all lights add to the picture where nothing is in their way. With this known what the material is holds no registers any

@@ -14,7 +14,7 @@
 namespace gnomon {
 namespace {
 
-constexpr int kDataWidth = 256;             // texels a row of the data texture, as shaders/scene.glsl reads it
+constexpr int kDataWidth = 2048;            // texels a row of the data texture, as shaders/scene.glsl reads it
 constexpr GLenum kSeamlessCubemap = 0x884F; // GL_TEXTURE_CUBE_MAP_SEAMLESS: always on in GLES, unknown to its header
 
 /// shaders/frame.glsl, in std140.

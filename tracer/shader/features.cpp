@@ -112,6 +112,7 @@ Features featuresOf(const Scene& scene, const Settings& settings, const GlslTarg
     Features features;
     features.output = settings.aov;
     features.es300 = target.es300;
+    features.turnsCounted = !target.processor;
     features.readAhead = target.processor && !target.swiftShader;
     features.linear = scene.encoding == Encoding::Linear;
     features.materials = int(scene.materials.size());

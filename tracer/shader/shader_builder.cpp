@@ -31,6 +31,7 @@ void addSearch(const KindCount& kind, Names& names) {
     const bool block = kind.blockMembers() > 0, searched = block || kind.search != Search::Loop;
     names.values[type + "_SEARCH"] = int(kind.search);
     names.values[type + "_SEARCHED"] = searched;
+    names.values[type + "_ALONE"] = kind.count == 1;
     names.values[type + "_BLOCK"] = block;
     names.values["SEARCHES"] |= int(searched);
     names.values["BLOCKS"] |= int(block);
@@ -85,6 +86,7 @@ Names namesOf(const Features& f) {
         {"LIGHTS", f.lights},
         {"GLOWS", f.glows},
         {"DATA_BLOCK", f.dataBlock},
+        {"TURNS_COUNTED", f.turnsCounted},
         {"READ_AHEAD", f.readAhead},
         {"LEAVES", f.leaves},
         {"SHADOWS", f.shadows != ShadowModel::Off},
