@@ -256,7 +256,7 @@ TEST(Hierarchies, LeaveAMixedCloudAsItIs) {
     expectAlike(studio(shapes), kAround, 80);
 }
 
-// ---- Grids, which processors take for what lies evenly scattered
+// ---- Grids, for what lies evenly scattered
 
 bool hasCells(const Scene& scene) {
     GlslTarget processor;

@@ -1,3 +1,4 @@
+#include "tests/support/clouds.h"
 #include "tests/support/scenes.h"
 #include "tracer/shader/library.h"
 #include "tracer/shader/shader_builder.h"
@@ -224,6 +225,27 @@ TEST(Features, ChooseABlockWhereTheSceneFitsAndAGpuDraws) {
     Settings block;
     block.data = DataPath::Block;
     EXPECT_TRUE(featuresOf(lite, block, {.processor = true}).dataBlock);
+}
+
+Search searchOf(int spheres, DataPath data, const GlslTarget& target) {
+    Scene scene = sceneFrom(R"({"objects": [{"sphere": {"center": [0, 0, 0], "radius": 0.1}}]})");
+    const Object object = scene.objects.front();
+    scene.objects.clear();
+    for (const Shape& shape : test::inACube(spheres, 1)) {
+        scene.objects.push_back(object);
+        scene.objects.back().shape = shape;
+    }
+    Settings settings;
+    settings.data = data;
+    return featuresOf(scene, settings, target).shapes.front().search;
+}
+
+TEST(Features, ChooseCellsWhereNumbersLieInATexture) {
+    EXPECT_EQ(searchOf(200, DataPath::Auto, {}), Search::Hierarchy) << "a block holds them";
+    EXPECT_EQ(searchOf(200, DataPath::Texture, {}), Search::Cells);
+    EXPECT_EQ(searchOf(2000, DataPath::Auto, {}), Search::Cells) << "no block does";
+    EXPECT_EQ(searchOf(2000, DataPath::Block, {}), Search::Hierarchy);
+    EXPECT_EQ(searchOf(200, DataPath::Auto, {.processor = true}), Search::Cells);
 }
 
 } // namespace

@@ -130,15 +130,17 @@ Features featuresOf(const Scene& scene, const Settings& settings, const GlslTarg
     const bool solids = std::any_of(scene.objects.begin(), scene.objects.end(),
                                     [](const Object& object) { return object.shape.solid != nullptr; });
     features.distances = solids || shadowRow(features.shadows).distances;
-    // Searches by distance know blocks and hierarchies only. What cells cost is known of processors, which read
-    // textures.
-    const bool cells = target.processor && settings.data != DataPath::Block && !features.distances;
-    features.shapes = countKinds(scene, settings.accel, cells);
+    // Grids have long lists: they are for what lies in a texture. Searches by distance know none.
+    const bool blockIsBest = settings.data == DataPath::Auto && !target.processor;
+    const bool mayBeBlock = blockIsBest || settings.data == DataPath::Block;
+    features.shapes = countKinds(scene, settings.accel, !mayBeBlock && !features.distances);
     if (settings.glow)
         features.glows = int(std::count_if(scene.objects.begin(), scene.objects.end(),
                                            [](const Object& o) { return o.glow.has_value(); }));
-    const bool blockIsBest = !target.processor && sceneTexels(features) <= target.blockTexels;
-    features.dataBlock = settings.data == DataPath::Block || (settings.data == DataPath::Auto && blockIsBest);
+    features.dataBlock =
+        settings.data == DataPath::Block || (blockIsBest && sceneTexels(features) <= target.blockTexels);
+    if (mayBeBlock && !features.dataBlock && !features.distances)
+        features.shapes = countKinds(scene, settings.accel, true);
     features.parted = features.output == Aov::Color && features.objects() <= kMostParted &&
                       (settings.parts == Parts::On || (settings.parts == Parts::Auto && target.processor));
     // Other shadows ask all casters at once.
