@@ -1,13 +1,10 @@
-/// The GPU's driver without any display: EGL's surfaceless platform with GLES 3, or a device where a driver has no such
-/// platform.
+/// The GPU's driver without any display: EGL's surfaceless platform with GLES 3.
 #define EGL_NO_X11
 #include <EGL/egl.h> // before GL, whose loader takes its macros away
 #include <EGL/eglext.h>
 
 #include "native/context.h"
 #include "native/shared_library.h"
-
-#include <iterator>
 
 namespace gnomon {
 
@@ -53,22 +50,6 @@ class EglContext : public Context {
     EGLContext context_;
 };
 
-EGLDisplay started(EGLenum platform, void* native) {
-    const EGLDisplay display = egl().getPlatformDisplay(platform, native, nullptr);
-    return display != EGL_NO_DISPLAY && egl().initialize(display, nullptr, nullptr) ? display : EGL_NO_DISPLAY;
-}
-
-EGLDisplay startedOnDevice() {
-    const auto query = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(egl().getProcAddress("eglQueryDevicesEXT"));
-    EGLDeviceEXT devices[16];
-    EGLint count = 0;
-    if (!query || !query(EGLint(std::size(devices)), devices, &count)) return EGL_NO_DISPLAY;
-    for (EGLint i = 0; i < count; ++i)
-        if (const EGLDisplay display = started(EGL_PLATFORM_DEVICE_EXT, devices[i]); display != EGL_NO_DISPLAY)
-            return display;
-    return EGL_NO_DISPLAY;
-}
-
 } // namespace
 
 std::unique_ptr<Context> makeEglContext(Problems& problems) {
@@ -77,9 +58,9 @@ std::unique_ptr<Context> makeEglContext(Problems& problems) {
         return nullptr;
     };
     if (!egl().complete) return refuse("libEGL 1.5 is not installed");
-    EGLDisplay display = started(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY);
-    if (display == EGL_NO_DISPLAY) display = startedOnDevice();
-    if (display == EGL_NO_DISPLAY) return refuse("EGL has neither a surfaceless platform nor a device here");
+    const EGLDisplay display = egl().getPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+    if (display == EGL_NO_DISPLAY || !egl().initialize(display, nullptr, nullptr))
+        return refuse("EGL has no surfaceless platform here");
     const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION, 3, EGL_NONE};
     EGLContext context = EGL_NO_CONTEXT;
     if (egl().bindApi(EGL_OPENGL_ES_API))

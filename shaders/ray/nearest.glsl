@@ -31,6 +31,9 @@ bool meets$Shape(int index, Ray ray, inout float t) {
 
 // Object nearest along the ray and nearer than t, which then is its distance; -1 where there is none. For `shadow` the first
 // that is found among those that cast one.
+//
+// Software GL runs each loop's body at least once, and SwiftShader unrolls none: they are tested at their end, and one object has
+// none.
 int nearestHit(Ray ray, bool shadow, inout float t) {
     int nearest = -1;
 #for Shape in SHAPES

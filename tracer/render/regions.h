@@ -1,9 +1,8 @@
 /// Which rectangles of a picture the smaller programs may draw (tracer/shader/parts.h): what rays from the eye through
 /// them cannot meet is told from the boxes about all objects.
 ///
-/// Error  to the safe side: a pixel of `sky` sees no object, one of `usual` none that is rare, with a pixel to spare
-/// for
-///        what float32 makes of rays in the shader (tests/unit/regions_test.cpp)
+/// Error  to the safe side: a pixel of `sky` sees no object, one of `usual` none that is rare, with a
+///        pixel to spare for what float32 makes of rays in the shader (tests/unit/regions_test.cpp)
 /// Cost   quarters of the picture are asked until they are settled or a tile of 8 pixels
 #pragma once
 

@@ -53,11 +53,10 @@ struct Features {
     bool dataBlock = false;                              ///< numbers in a uniform block, else in a texture
     bool parted = false;                                 ///< smaller programs draw what they can: tracer/shader/parts.h
     bool refractionRare = false, normalMapsRare = false; ///< few pixels meet them: the usual program does without
-    bool leaves = false; ///< the usual program itself, which leaves pixels to the whole one
-    bool turnsCounted =
-        false;              ///< a loop that ends by itself has a greatest number of turns: shaders/ray/shadow_rays.glsl
-    bool readAhead = false; ///< numbers at fixed places are read before all loops: shaders/ray/ahead.glsl
-    bool es300 = true;      ///< prelude `#version 300 es`, else `330 core`
+    bool leaves = false;       ///< the usual program itself, which leaves pixels to the whole one
+    bool turnsCounted = false; ///< by the loop of shadow rays, which ends by itself: shaders/ray/shadow_rays.glsl
+    bool readAhead = false;    ///< numbers at fixed places are read before all loops: shaders/ray/ahead.glsl
+    bool es300 = true;         ///< prelude `#version 300 es`, else `330 core`
 
     int objects() const;
 };
