@@ -17,7 +17,7 @@ namespace {
 struct ShaderOptions {
     Drawing drawing;
     std::string pass = "trace", glsl = "es300";
-    bool processor = false, stats = false;
+    bool processor = false, swiftShader = false, stats = false;
 };
 
 /// Milliseconds from the source to the first picture, with OSMesa.
@@ -67,7 +67,8 @@ int shader(const ShaderOptions& options) {
     const auto scene = assets ? assets->readScene(options.drawing.scene, problems) : std::nullopt;
     if (!scene) return fail(kInputWrong, problems);
 
-    const GlslTarget target{.es300 = options.glsl == "es300", .processor = options.processor};
+    const GlslTarget target{.es300 = options.glsl == "es300", .processor = options.processor || options.swiftShader,
+                            .swiftShader = options.swiftShader};
     const Features features = featuresOf(*scene, *settings, target);
     const ShaderSource source = sourceOf(options.pass, features, problems);
     if (!problems.empty()) return fail(kInputWrong, problems);
@@ -87,6 +88,7 @@ void addShader(CLI::App& app, Task& task) {
         ->type_name("trace|usual|sky|canvas");
     command->add_option("--glsl", options->glsl, "GLSL ES 3.00 or GLSL 3.30 [es300]")->type_name("es300|gl330");
     command->add_flag("--processor", options->processor, "As for a GL in software, where the processor draws");
+    command->add_flag("--swiftshader", options->swiftShader, "As for SwiftShader, Chromium's GL in software");
     command->add_flag("--stats", options->stats, "Its size, its modules and its compile time with OSMesa instead");
     addSettings(*command, options->drawing);
     command->callback([&task, options] { task = [options] { return shader(*options); }; });

@@ -11,9 +11,9 @@ int nextInBlock(vec3 cells, Ray ray, float t, int self, inout GridWalk walk) {
     float last = lastStep(walk, t);
     float stretch = stretchOf(ray);
     while (walk.s <= last && !leftGrid(cells, walk)) {
-        vec3 middle = walk.cell + 0.5;
+        vec3 middle = walk.grid.corner.xyz + (walk.cell + 0.5) * walk.grid.size;
         int index = stepOn(cells, walk);
-        if (index == self || !passesBy(ray, stretch, vec4(walk.corner.xyz + middle * walk.size, walk.corner.w))) return index;
+        if (index == self || !passesBy(ray, stretch, vec4(middle, walk.grid.corner.w))) return index;
     }
     return -1;
 }

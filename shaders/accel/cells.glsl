@@ -14,7 +14,7 @@ struct CellWalk {
     int taken; // last
 };
 
-CellWalk enterCells(int at, vec3 cells, Ray ray) { return CellWalk(enterGrid(at, cells, ray), vec4(-1.0), -1); }
+CellWalk enterCells(int at, vec3 cells, Ray ray) { return CellWalk(enterGrid(loadGrid(at), cells, ray), vec4(-1.0), -1); }
 
 bool leftCells(vec3 cells, CellWalk walk) { return max(walk.list.x, walk.list.w) < 0.0 && leftGrid(cells, walk.grid); }
 

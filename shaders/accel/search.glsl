@@ -37,7 +37,12 @@ struct Search$Shape {
 Search$Shape start$Shape(Ray ray) {
     Search$Shape search;
 #if $SHAPE_BLOCK
-    search.block = enterGrid(k$ShapeBlock, vec3(k$ShapeBlockX, k$ShapeBlockY, k$ShapeBlockZ), ray);
+#if HELD
+    Grid block = held$ShapeBlock;
+#else
+    Grid block = loadGrid(k$ShapeBlock);
+#endif
+    search.block = enterGrid(block, vec3(k$ShapeBlockX, k$ShapeBlockY, k$ShapeBlockZ), ray);
 #endif
 #if $SHAPE_SEARCH == HIERARCHY
     search.boxes = gridRay(k$ShapeGrid, ray);
@@ -52,7 +57,12 @@ Search$Shape start$Shape(Ray ray) {
     // Always true. Without it GPUs load all balls at once, and have no registers for so many.
     if (frame.zero.x == 0u) {
 #for Bit in $SHAPE_SIEVE_$PART
-        bool passes$Bit = passesBy(ray, stretch, ball$Shape(load$Shape(k$ShapeBase + (k$ShapeLoose + $Bit) * k$ShapeTexels)));
+#if HELD
+        vec4 ball$Bit = held$ShapeBall$Bit;
+#else
+        vec4 ball$Bit = ball$Shape(load$Shape(k$ShapeBase + (k$ShapeLoose + $Bit) * k$ShapeTexels));
+#endif
+        bool passes$Bit = passesBy(ray, stretch, ball$Bit);
         search.sieve |= passes$Bit ? 0u : 1u << $Bitu;
 #endfor
     }

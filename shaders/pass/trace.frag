@@ -12,6 +12,8 @@
 #include "ray/nearest.glsl"
 #if READ_AHEAD
 #include "ray/ahead.glsl"
+#elif HELD
+#include "ray/held.glsl"
 #endif
 #if OUTPUT == COLOR || OUTPUT == WORK || OUTPUT == STEPS
 #if IMAGES
@@ -103,6 +105,9 @@ vec4 pixel(Ray ray) {
 #endif
 
 void main() {
+#if HELD
+    hold();
+#endif
 #if READ_AHEAD
     vec4 ahead = readAhead();
     vec4 color = pixel(primaryRay());

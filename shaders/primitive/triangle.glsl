@@ -56,9 +56,16 @@ vec4 distanceTriangle(Triangle triangle, vec3 p, vec3 from) {
 #endif
 
 // Of the box about all triangles of the scene: their texels carry it along.
-vec3 middleOfTriangles() {
+vec3 loadMiddleOfTriangles() {
     return vec3(sceneTexel(kTriangleBase).w, sceneTexel(kTriangleBase + 1).w, sceneTexel(kTriangleBase + 2).w);
 }
+
+#if HELD
+vec3 heldMiddleOfTriangles; // by ray/held.glsl
+vec3 middleOfTriangles() { return heldMiddleOfTriangles; }
+#else
+vec3 middleOfTriangles() { return loadMiddleOfTriangles(); }
+#endif
 
 // How points are seen along a ray: along the axis where its direction is largest, and across it.
 struct Shear {

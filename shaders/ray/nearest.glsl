@@ -11,6 +11,9 @@ ivec3 work = ivec3(0);
 #for Shape in SHAPES
 #include "primitive/$shape.glsl"
 #endfor
+#if HELD
+#include "ray/held.glsl"
+#endif
 #if SEARCHES
 #include "accel/search.glsl"
 #endif
@@ -25,7 +28,11 @@ bool meets$Shape(int index, Ray ray, inout float t) {
     ++work.y;
 #endif
     float side = startSide(ray, k$ShapeFirst + index);
+#if HELD && $SHAPE_ALONE
+    return intersect$Shape(held$Shape, ray, side, t);
+#else
     return intersect$Shape(load$Shape(k$ShapeBase + index * k$ShapeTexels), ray, side, t);
+#endif
 }
 #endfor
 
@@ -83,8 +90,12 @@ bool occluded(Ray ray, float distance) {
 Surface surfaceAt(int object, Ray ray, float t) {
 #for Shape in SHAPES
     if (object < k$ShapeEnd) {
+#if HELD && $SHAPE_ALONE
+        return surface$Shape(held$Shape, ray, t);
+#else
         int index = k$ShapeCount == 1 ? 0 : object - k$ShapeFirst; // the one place is known before any pixel is drawn
         return surface$Shape(load$Shape(k$ShapeBase + index * k$ShapeTexels), ray, t);
+#endif
     }
 #endfor
     return bareSurface(vec3(0.0), vec3(0.0), 0.0);

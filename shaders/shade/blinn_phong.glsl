@@ -22,9 +22,11 @@ vec3 reflectedLight(Light light, Material material, vec3 albedo, vec3 point, vec
 }
 
 // What all lights add to the picture where nothing is in their way. With this known what the material is holds no registers any
-// more while shadow rays run.
+// more while shadow rays run. Written out light by light: what is indexed lies in memory, and SwiftShader unrolls no loop.
 struct Lit {
-    vec3 added[kLightCount];
+#for Light in LIGHT_NUMBERS
+    vec3 added$Light;
+#endfor
     uint counting; // the lights that do, a bit each
 };
 
@@ -32,11 +34,11 @@ Lit litBy(Material material, vec3 point, vec3 facing, vec3 normal, vec3 toEye, v
     Lit lit;
     lit.counting = 0u;
     vec3 albedo = material.diffuse * tint;
-    for (int i = 0; i < kLightCount; ++i) {
-        vec3 adds = share * reflectedLight(loadLight(i), material, albedo, point, facing, normal, toEye);
-        lit.added[i] = adds;
-        if (max(adds.r, max(adds.g, adds.b)) >= max(frame.options.x, 1e-30)) lit.counting |= 1u << uint(i);
-    }
+    float least = max(frame.options.x, 1e-30);
+#for Light in LIGHT_NUMBERS
+    lit.added$Light = share * reflectedLight(loadLight($Light), material, albedo, point, facing, normal, toEye);
+    lit.counting |= max(lit.added$Light.r, max(lit.added$Light.g, lit.added$Light.b)) >= least ? 1u << $Lightu : 0u;
+#endfor
     return lit;
 }
 
@@ -45,8 +47,9 @@ int nextLight(inout Lit lit, out vec3 adds) {
     int next = lowestBit(lit.counting);
     lit.counting &= lit.counting - 1u;
     adds = vec3(0.0);
-    for (int i = 0; i < kLightCount; ++i)
-        if (i == next) adds = lit.added[i];
+#for Light in LIGHT_NUMBERS
+    adds = next == $Light ? lit.added$Light : adds;
+#endfor
     return next;
 }
 #endif

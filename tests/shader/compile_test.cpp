@@ -5,6 +5,7 @@
 #include "tests/support/scenes.h"
 #include "tracer/gl/objects.h"
 #include "tracer/shader/library.h"
+#include "tracer/shader/parts.h"
 #include "tracer/shader/shader_builder.h"
 
 #include <gtest/gtest.h>
@@ -68,6 +69,12 @@ std::vector<Variant> variants(const std::string& sceneName) {
             all.back().features.distances = true;
             all.back().pass = "pass/distance.frag";
         }
+    for (const bool es300 : {true, false}) {
+        const Features features = featuresOf(scene, {}, {.es300 = es300, .processor = true, .swiftShader = true});
+        all.push_back({sceneName + " for SwiftShader", features});
+        all.push_back({sceneName + " for SwiftShader, usual", usualOf(features)});
+        all.push_back({sceneName + " for SwiftShader, sky", features, "pass/sky.frag"});
+    }
     return all;
 }
 

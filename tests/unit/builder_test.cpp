@@ -76,8 +76,7 @@ TEST(ShaderBuilder, WalksHierarchiesOnlyWhereTheyPayOrAreAskedFor) {
 }
 
 TEST(ShaderBuilder, SievesAFewObjects) {
-    EXPECT_TRUE(
-        mentions(source(row(6)), "passesBy(ray, stretch, ballSphere(loadSphere(kSphereBase + (kSphereLoose + 5)"));
+    EXPECT_TRUE(mentions(source(row(6)), "ballSphere(loadSphere(kSphereBase + (kSphereLoose + 5)"));
     EXPECT_FALSE(mentions(source(row(6)), "(kSphereLoose + 6)"));
     EXPECT_FALSE(mentions(source(row(1)), "kSphereLoose")) << "one is asked at once";
     EXPECT_FALSE(mentions(source(row(200)), "ballSphere(loadSphere(kSphereBase + (kSphereLoose"));

@@ -58,9 +58,19 @@ TEST(Parts, AreForProcessorsUnlessAskedFor) {
     EXPECT_FALSE(featuresOf(scene, work, kProcessor).parted) << "counts what the whole program asks";
     EXPECT_TRUE(featuresOf(scene, silhouette, kProcessor).parted) << "with a sky of its own";
     EXPECT_FALSE(anyRare(featuresOf(scene, silhouette, kProcessor))) << "which asks all casters";
-    const GlslTarget swiftShader{.processor = true, .swiftShader = true};
-    EXPECT_TRUE(featuresOf(scene, {}, swiftShader).parted);
-    EXPECT_FALSE(anyRare(featuresOf(scene, {}, swiftShader))) << "it would draw each pixel twice";
+}
+
+TEST(Parts, AreMendedInTilesWhereDepthsSpareNothing) {
+    const Scene scene = sceneNamed("pro");
+    GlslTarget target{.processor = true, .swiftShader = true};
+    const Features tiled = featuresOf(scene, {}, target);
+    EXPECT_TRUE(anyRare(tiled));
+    EXPECT_EQ(tiled.tile, 2);
+    EXPECT_EQ(usualOf(tiled).tile, 0);
+    EXPECT_EQ(featuresOf(scene, {}, kProcessor).tile, 0);
+    target.mostPoint = 1;
+    EXPECT_TRUE(featuresOf(scene, {}, target).parted) << "a sky still";
+    EXPECT_FALSE(anyRare(featuresOf(scene, {}, target))) << "points are too small";
 }
 
 TEST(Parts, LeaveNothingOutThatIsSeenALot) {

@@ -108,6 +108,9 @@ Info info() {
     info.maxTextureSize = integer(GL_MAX_TEXTURE_SIZE);
     info.maxLayers = integer(GL_MAX_ARRAY_TEXTURE_LAYERS);
     info.maxUniformBlockSize = integer(GL_MAX_UNIFORM_BLOCK_SIZE);
+    float pointSizes[2] = {1, 1};
+    glGetFloatv(GL_ALIASED_POINT_SIZE_RANGE, pointSizes);
+    info.maxPointSize = pointSizes[1];
     return info;
 }
 

@@ -28,6 +28,7 @@ struct Info {
     bool floatTargets = false;    ///< can draw to RGBA32F
     bool parallelCompile = false; ///< compiling can be polled
     int maxTextureSize = 0, maxLayers = 0, maxUniformBlockSize = 0;
+    float maxPointSize = 1;
 };
 /// Of the current context.
 Info info();

@@ -98,7 +98,7 @@ Texture makeDataTexture(int width, int height) {
     return texture;
 }
 
-Target makeTarget(int width, int height, GLenum format, bool depth) {
+Target makeTarget(int width, int height, GLenum format, bool noting) {
     Target target;
     target.color = makeTexture(GL_TEXTURE_2D, GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE);
     if (format == GL_RGBA32F) { // not filterable everywhere
@@ -112,13 +112,15 @@ Target makeTarget(int width, int height, GLenum format, bool depth) {
     target.framebuffer = Framebuffer(framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.color.get(), 0);
-    if (depth) {
-        GLuint buffer = 0;
-        glGenRenderbuffers(1, &buffer);
-        target.depth = Renderbuffer(buffer);
-        glBindRenderbuffer(GL_RENDERBUFFER, buffer);
-        glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT16, width, height);
-        glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, buffer);
+    if (noting) {
+        target.depth = makeTexture(GL_TEXTURE_2D, GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE);
+        glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT16, width, height, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT,
+                     nullptr);
+        glGenFramebuffers(1, &framebuffer);
+        target.noting = Framebuffer(framebuffer);
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.color.get(), 0);
+        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, target.depth.get(), 0);
     }
     const bool complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
     glBindFramebuffer(GL_FRAMEBUFFER, 0);

@@ -65,16 +65,15 @@ Texture makeCubemap(const std::vector<Image>& faces, Texels);
 /// RGBA32F texels in rows of `width`; read with texelFetch.
 Texture makeDataTexture(int width, int height);
 
-/// A colour target of its own; `format` is GL_RGBA8 or GL_RGBA32F. Empty where the GL cannot draw to it. Depths only
-/// where asked for.
+/// A colour target of its own; `format` is GL_RGBA8 or GL_RGBA32F. Empty where the GL cannot draw to it. Where depths
+/// are asked for, what is drawn into `noting` is noted in them; they can be read while the other framebuffer is bound.
 struct Target {
-    Texture color;
-    Renderbuffer depth;
-    Framebuffer framebuffer;
+    Texture color, depth;
+    Framebuffer framebuffer, noting;
     int width = 0, height = 0;
     GLenum format = 0;
 };
-Target makeTarget(int width, int height, GLenum format, bool depth = false);
+Target makeTarget(int width, int height, GLenum format, bool noting = false);
 
 /// Tells when the GPU has done what it was asked for so far, without waiting.
 class Fence {

@@ -23,13 +23,14 @@ void bindInterface(const CachedProgram& entry) {
     program.bindSampler("sky", kSkyUnit);
     program.bindSampler("paints", kPaintUnit);
     program.bindSampler("normals", kNormalUnit);
+    program.bindSampler("drawn", kDrawnUnit);
 }
 
 } // namespace
 
 GlslTarget targetOf(const gl::Info& info) {
     return {info.maxUniformBlockSize / int(sizeof(glm::vec4)), info.essl300, gl::drawnByProcessor(info.renderer),
-            gl::drawnBySwiftShader(info.renderer)};
+            gl::drawnBySwiftShader(info.renderer), int(info.maxPointSize)};
 }
 
 std::shared_ptr<CachedProgram> ProgramCache::get(const Features& features, Problems& problems, std::string_view pass) {
@@ -41,10 +42,9 @@ std::shared_ptr<CachedProgram> ProgramCache::get(const Features& features, Probl
         problems.insert(problems.end(), faults.begin(), faults.end());
         return nullptr;
     }
-    std::shared_ptr<CachedProgram>& entry = programs_[source.text];
+    std::shared_ptr<CachedProgram>& entry = programs_[canvas.text + source.text];
     if (entry) return entry;
     entry = std::make_shared<CachedProgram>();
-    entry->features = features;
     entry->stats.sourceBytes = source.text.size();
     entry->started = monotonicSeconds();
     entry->stats.buildMs = (entry->started - start) * 1e3;

@@ -17,14 +17,13 @@ namespace gnomon {
 
 /// Binding points and texture units that all programs use.
 inline constexpr GLuint kFrameBinding = 0, kSceneBinding = 1;
-inline constexpr int kDataUnit = 0, kSkyUnit = 1, kPaintUnit = 2, kNormalUnit = 3;
+inline constexpr int kDataUnit = 0, kSkyUnit = 1, kPaintUnit = 2, kNormalUnit = 3, kDrawnUnit = 4;
 
 /// What shaders are written for where the GL is this one.
 GlslTarget targetOf(const gl::Info&);
 
 /// One specialised program and what it took to make.
 struct CachedProgram {
-    Features features;
     ShaderSource source;
     gl::Program program;
     ProgramState state = ProgramState::Compiling;
@@ -57,7 +56,7 @@ class ProgramCache {
   private:
     bool pollable_;
     std::vector<ShaderFile> overrides_;
-    std::map<std::string, std::shared_ptr<CachedProgram>> programs_;
+    std::map<std::string, std::shared_ptr<CachedProgram>> programs_; // by the text of both shaders
 };
 
 } // namespace gnomon

@@ -28,27 +28,55 @@ void drawIn(const CachedProgram& program, std::span<const Rectangle> rectangles,
     }
 }
 
+/// What is drawn from here on is noted in the target's depths, and not drawn again.
+void beginNoting(const gl::Target& target, const Rectangle& band) {
+    glBindFramebuffer(GL_FRAMEBUFFER, target.noting.get());
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glScissor(band.x, band.y, band.width, band.height);
+    glClear(GL_DEPTH_BUFFER_BIT);
+}
+
+void endNoting(const gl::Target& target) {
+    glDisable(GL_DEPTH_TEST);
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.get());
+}
+
+/// What is not noted of the band, tile by tile (shaders/pass/canvas.vert).
+void drawTiles(const CachedProgram& program, int tile, const gl::Target& target, const Rectangle& band) {
+    const int columns = (target.width + tile - 1) / tile;
+    const int first = band.y / tile, end = (band.y + band.height + tile - 1) / tile;
+    glUseProgram(program.program.get());
+    glActiveTexture(GL_TEXTURE0 + kDrawnUnit);
+    glBindTexture(GL_TEXTURE_2D, target.depth.get());
+    glActiveTexture(GL_TEXTURE0 + kDataUnit);
+    glScissor(band.x, band.y, band.width, band.height);
+    glDrawArrays(GL_POINTS, 3 + first * columns, (end - first) * columns);
+}
+
 } // namespace
 
 Programs::Programs(const Features& features, ProgramCache& cache, Problems& problems)
-    : whole_(cache.get(features, problems)), divides_(features.parted && !cache.overridden()) {
-    if (!canDraw() || !divides_ || !beginParts(cache, problems)) return;
+    : features_(features), whole_(cache.get(features, problems)) {
+    if (!canDraw() || !features.parted || !beginParts(cache, problems)) return;
     const auto ready = [](const auto& part) { return !part || part->state == ProgramState::Ready; };
     parted_ = ready(sky_) && ready(usual_);
 }
 
-bool Programs::leaves() const { return divides_ && anyRare(features()); }
+bool Programs::leaves() const { return features_.parted && anyRare(features_); }
 
 bool Programs::beginParts(ProgramCache& cache, Problems& problems) {
-    if (!sky_) sky_ = cache.get(features(), problems, "pass/sky.frag");
-    if (!usual_ && leaves()) usual_ = cache.get(usualOf(features()), problems);
+    Features sky = features_;
+    sky.tile = 0;
+    if (!sky_) sky_ = cache.get(sky, problems, "pass/sky.frag");
+    if (!usual_ && leaves()) usual_ = cache.get(usualOf(features_), problems);
     return sky_ && (usual_ || !leaves());
 }
 
 ProgramState Programs::poll(ProgramCache& cache, const WarmUp& warmUp, Problems& problems) {
     const ProgramState state = cache.poll(
         *whole_, [&] { warmUp(*whole_); }, problems);
-    if (state != ProgramState::Ready || !divides_) return state;
+    if (state != ProgramState::Ready || !features_.parted) return state;
     return pollParts(cache, warmUp, problems);
 }
 
@@ -76,39 +104,34 @@ ProgramStats Programs::stats() const {
     return sum;
 }
 
-// What is drawn is noted in the depths: an early test on them is a branch, the only one that some drivers have. They
-// are tested also where one program draws alone: drivers compile it anew for what they test.
-void Programs::begin(const Rectangle& band) const {
-    glEnable(GL_SCISSOR_TEST);
-    if (!leaves()) return;
-    glEnable(GL_DEPTH_TEST);
-    glDepthFunc(GL_LESS);
-    glScissor(band.x, band.y, band.width, band.height);
-    glClear(GL_DEPTH_BUFFER_BIT);
+bool Programs::notes(const CachedProgram& program) const {
+    return leaves() && (&program != whole_.get() || features_.tile == 0);
 }
 
-void Programs::end() {
-    glDisable(GL_DEPTH_TEST);
+void Programs::draw(const gl::Target& target, const Regions& regions, const Rectangle& band) const {
+    if (!parted_) return drawAlone(target, *whole_, band);
+    glEnable(GL_SCISSOR_TEST);
+    if (leaves()) beginNoting(target, band);
+    drawIn(*sky_, regions.sky, band);
+    if (usual_) drawIn(*usual_, regions.usual, band);
+    if (features_.tile > 0) {
+        endNoting(target);
+        drawTiles(*whole_, features_.tile, target, band);
+    } else {
+        drawIn(*whole_, regions.usual, band); // what is left of them
+        drawIn(*whole_, regions.rare, band);
+        if (leaves()) endNoting(target);
+    }
     glDisable(GL_SCISSOR_TEST);
 }
 
-void Programs::draw(const Regions& regions, const Rectangle& band) const {
-    begin(band);
-    if (parted_) {
-        drawIn(*sky_, regions.sky, band);
-        if (usual_) drawIn(*usual_, regions.usual, band);
-        drawIn(*whole_, regions.usual, band); // what is left of them
-        drawIn(*whole_, regions.rare, band);
-    } else {
-        drawIn(*whole_, {&band, 1}, band);
-    }
-    end();
-}
-
-void Programs::drawAlone(const CachedProgram& program, const Rectangle& band) const {
-    begin(band);
+// Noting also where one program draws alone: drivers compile it anew for what they test.
+void Programs::drawAlone(const gl::Target& target, const CachedProgram& program, const Rectangle& band) const {
+    glEnable(GL_SCISSOR_TEST);
+    if (notes(program)) beginNoting(target, band);
     drawIn(program, {&band, 1}, band);
-    end();
+    if (notes(program)) endNoting(target);
+    glDisable(GL_SCISSOR_TEST);
 }
 
 } // namespace gnomon

@@ -21,30 +21,31 @@ class Programs {
     /// There is something to draw with, soon or now.
     explicit operator bool() const { return whole_ != nullptr; }
     const CachedProgram& whole() const { return *whole_; }
-    const Features& features() const { return whole_->features; }
+    const Features& features() const { return features_; }
     bool canDraw() const { return whole_ && whole_->state == ProgramState::Ready; }
     /// Smaller programs draw, too.
     bool parted() const { return parted_; }
-    /// One of them leaves pixels to the whole one: targets need depths.
+    /// One of them leaves pixels to the whole one: targets note what is drawn.
     bool leaves() const;
     /// Ready when all are.
     ProgramState poll(ProgramCache&, const WarmUp&, Problems&);
     /// Source and times of all.
     ProgramStats stats() const;
 
-    /// Draws `band` of the picture into the framebuffer that is bound.
-    void draw(const Regions&, const Rectangle& band) const;
+    /// Draws `band` of the picture into the target, whose framebuffer is bound.
+    void draw(const gl::Target&, const Regions&, const Rectangle& band) const;
     /// Draws with one of them alone.
-    void drawAlone(const CachedProgram&, const Rectangle& band) const;
+    void drawAlone(const gl::Target&, const CachedProgram&, const Rectangle& band) const;
 
   private:
-    void begin(const Rectangle& band) const;
-    static void end();
+    /// What it draws is noted in the target.
+    bool notes(const CachedProgram&) const;
     bool beginParts(ProgramCache&, Problems&);
     ProgramState pollParts(ProgramCache&, const WarmUp&, Problems&);
 
+    Features features_;
     std::shared_ptr<CachedProgram> whole_, sky_, usual_;
-    bool divides_ = false, parted_ = false;
+    bool parted_ = false;
 };
 
 } // namespace gnomon

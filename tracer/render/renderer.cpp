@@ -15,6 +15,7 @@ namespace gnomon {
 namespace {
 
 constexpr int kDataWidth = 2048;            // texels a row of the data texture, as shaders/scene.glsl reads it
+constexpr GLenum kProgramPointSize = 0x8642; // GL_PROGRAM_POINT_SIZE: always on in GLES
 constexpr GLenum kSeamlessCubemap = 0x884F; // GL_TEXTURE_CUBE_MAP_SEAMLESS: always on in GLES, unknown to its header
 
 /// shaders/frame.glsl, in std140.
@@ -136,7 +137,10 @@ struct Renderer::Impl {
         glBindVertexArray(vertexArray.get());
         glDisable(GL_DEPTH_TEST);
         glDisable(GL_BLEND);
-        if (!info.es) glEnable(kSeamlessCubemap);
+        if (!info.es) {
+            glEnable(kSeamlessCubemap);
+            glEnable(kProgramPointSize);
+        }
         warm = gl::makeTarget(1, 1, GL_RGBA8, true);
     }
 
@@ -232,6 +236,10 @@ struct Renderer::Impl {
     void choose() {
         if (!wantedScene) return;
         Features features = featuresOf(wantedScene->scene, settings, targetOf(info));
+        if (programs.overridden()) { // these are of the library's own files
+            features.parted = features.held = false;
+            features.tile = 0;
+        }
         if (const int texels = sceneTexels(features); features.dataBlock && texels > targetOf(info).blockTexels) {
             features.dataBlock = false;
             pending.push_back({wantedScene->scene.file,
@@ -269,7 +277,7 @@ struct Renderer::Impl {
         upload(view, wanted, *wantedScene, settings, true);
         glBindFramebuffer(GL_FRAMEBUFFER, warm.framebuffer.get());
         glViewport(0, 0, 1, 1);
-        wanted.drawAlone(program, {0, 0, 1, 1});
+        wanted.drawAlone(warm, program, {0, 0, 1, 1});
     }
 
     // --- drawing ----------------------------------------------------------------------------------------------------
@@ -334,7 +342,7 @@ struct Renderer::Impl {
         glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.get());
         glViewport(0, 0, view.width, view.height);
         glDisable(GL_BLEND);
-        drawn.draw(regions(view), {0, from, view.width, to - from});
+        drawn.draw(target, regions(view), {0, from, view.width, to - from});
     }
 
     // Pictures go into a target of our own and from there to the window, also at full scale: some drivers compile a
@@ -373,8 +381,8 @@ struct Renderer::Impl {
     }
 
     void resize(gl::Target& target, int width, int height, GLenum format) const {
-        const bool leaves = drawn.leaves(), deep = bool(target.depth) || !leaves;
-        if (target.width == width && target.height == height && target.format == format && deep) return;
+        const bool leaves = drawn.leaves(), notes = bool(target.noting) || !leaves;
+        if (target.width == width && target.height == height && target.format == format && notes) return;
         target = gl::makeTarget(width, height, format, leaves);
     }
 
@@ -558,6 +566,7 @@ void Renderer::contextLost() {
         target->color.forget();
         target->depth.forget();
         target->framebuffer.forget();
+        target->noting.forget();
         *target = {};
     }
 }

@@ -54,8 +54,10 @@ struct Features {
     bool parted = false;                                 ///< smaller programs draw what they can: tracer/shader/parts.h
     bool refractionRare = false, normalMapsRare = false; ///< few pixels meet them: the usual program does without
     bool leaves = false;       ///< the usual program itself, which leaves pixels to the whole one
+    int tile = 0; ///< side in pixels of the squares in which the whole one draws them; 0: where no depth is written
     bool turnsCounted = false; ///< by the loop of shadow rays, which ends by itself: shaders/ray/shadow_rays.glsl
     bool readAhead = false;    ///< numbers at fixed places are read before all loops: shaders/ray/ahead.glsl
+    bool held = false;         ///< they are held in variables, too: shaders/ray/held.glsl
     bool es300 = true;         ///< prelude `#version 300 es`, else `330 core`
 
     int objects() const;
@@ -67,6 +69,7 @@ struct GlslTarget {
     bool es300 = true;
     bool processor = false;   ///< the processor draws: indexing a block costs it more than a fetch from a texture
     bool swiftShader = false; ///< it does: draws a pixel before it tests the depth, reads again what it has read before
+    int mostPoint = 64;       ///< side of the largest point in pixels
 };
 
 /// Pure: the same scene, settings and target give the same features. `settings.data` Auto takes a block where that

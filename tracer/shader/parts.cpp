@@ -80,6 +80,7 @@ bool anyRare(const Features& features) {
 
 Features usualOf(Features features) {
     features.leaves = true;
+    features.tile = 0;
     features.refraction = features.refraction && !features.refractionRare;
     features.reflection = features.conductors || features.coats || features.refraction;
     if (features.normalMapsRare) features.normalMaps = 0;

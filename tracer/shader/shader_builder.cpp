@@ -51,6 +51,7 @@ void addShape(const KindCount& kind, Names& names) {
     const std::string type = mapped(kind.type(), std::toupper);
     const bool estimates = kind.solid && estimated(*kind.solid);
     names.values[type + "_IMAGES"] = kind.images;
+    names.values["TRIANGLES"] |= int(kind.kind == ShapeKind::Triangle);
     names.values[type + "_CONVEX"] = shapeRow(kind.kind).convex;
     names.values[type + "_BOUNDED"] = shapeRow(kind.kind).extent != nullptr;
     names.values[type + "_SOLID"] = kind.solid != nullptr;
@@ -88,7 +89,9 @@ Names namesOf(const Features& f) {
         {"DATA_BLOCK", f.dataBlock},
         {"TURNS_COUNTED", f.turnsCounted},
         {"READ_AHEAD", f.readAhead},
+        {"HELD", f.held},
         {"LEAVES", f.leaves},
+        {"TILES", f.tile > 0},
         {"SHADOWS", f.shadows != ShadowModel::Off},
         {"SHADOW_RAYS", shadowRow(f.shadows).rays},
         {"SHADOWS_IN_TREE", f.shadows == ShadowModel::Hard},
@@ -114,7 +117,8 @@ Names namesOf(const Features& f) {
     };
     // Of any kind: none in a program that is left with no kind to ask.
     for (const char* name :
-         {"SEARCHES", "BLOCKS", "CELL_GRIDS", "HIERARCHIES", "ESTIMATED_CASTERS", "MARCHED_CASTERS", "RACKS", "NEARBY"})
+         {"SEARCHES", "BLOCKS", "CELL_GRIDS", "HIERARCHIES", "ESTIMATED_CASTERS", "MARCHED_CASTERS", "RACKS", "NEARBY",
+          "TRIANGLES"})
         names.values[name] = 0;
     // Solids have shapes for parts that the scene has no object of.
     for (const ShapeRow& row : shapeTable()) names.values[mapped(std::string(row.type), std::toupper) + "_IMAGES"] = 0;
@@ -135,12 +139,13 @@ Names namesOf(const Features& f) {
     std::string model(shadowRow(f.shadows).key);
     std::replace(model.begin(), model.end(), '-', '_');
     names.lists["SHADOW_MODEL"] = {model};
-    const auto layers = [&](const char* list, int count) {
+    const auto count = [&](const char* list, int end) {
         auto& numbers = names.lists[list];
-        for (int layer = 0; layer < count; ++layer) numbers.push_back(std::to_string(layer));
+        for (int i = 0; i < end; ++i) numbers.push_back(std::to_string(i));
     };
-    layers("PAINT_LAYERS", f.paints);
-    layers("NORMAL_LAYERS", f.normalMaps);
+    count("PAINT_LAYERS", f.paints);
+    count("NORMAL_LAYERS", f.normalMaps);
+    count("LIGHT_NUMBERS", f.lights);
     return names;
 }
 
@@ -361,16 +366,8 @@ void addPrelude(Builder& builder, const Features& features) {
         builder.generate("precision highp " + std::string(type) + ";");
 }
 
-ShaderSource build(std::string_view pass, const Features& features, bool constants, Problems& problems,
-                   std::span<const ShaderFile> overrides = {}) {
-    Builder builder(features, problems, overrides);
-    addPrelude(builder, features);
-    if (constants) {
-        for (const auto& [name, value] : constantsOf(features))
-            builder.generate("const int " + name + " = " + std::to_string(value) + ";");
-    }
-    builder.include(pass);
-    return builder.take();
+void addConstant(Builder& builder, const std::string& name, int value) {
+    builder.generate("const int " + name + " = " + std::to_string(value) + ";");
 }
 
 /// The line number in one line of a compile log, 0 where it has none.
@@ -387,11 +384,19 @@ int loggedLine(std::string_view log) {
 
 ShaderSource buildShader(std::string_view pass, const Features& features, Problems& problems,
                          std::span<const ShaderFile> overrides) {
-    return build(pass, features, true, problems, overrides);
+    Builder builder(features, problems, overrides);
+    addPrelude(builder, features);
+    for (const auto& [name, value] : constantsOf(features)) addConstant(builder, name, value);
+    builder.include(pass);
+    return builder.take();
 }
 
 ShaderSource buildCanvas(const Features& features, Problems& problems) {
-    return build("pass/canvas.vert", features, false, problems);
+    Builder builder(features, problems);
+    addPrelude(builder, features);
+    if (features.tile > 0) addConstant(builder, "kTile", features.tile);
+    builder.include("pass/canvas.vert");
+    return builder.take();
 }
 
 Problems mapLog(std::string_view log, const ShaderSource& source) {

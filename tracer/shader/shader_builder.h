@@ -34,7 +34,7 @@ struct ShaderSource {
 /// The fragment shader of entry point `pass`, as `pass/trace.frag`. `overrides` take the place of the library's files
 /// of the same name, one that the library does not have is a problem; their names and texts must outlive the source.
 ShaderSource buildShader(std::string_view pass, const Features&, Problems&, std::span<const ShaderFile> overrides = {});
-/// The vertex shader that covers the canvas.
+/// The vertex shader that covers the canvas, or what is left of it.
 ShaderSource buildCanvas(const Features&, Problems&);
 
 /// A driver's compile log with its line numbers (`0:12(3):`, `ERROR: 0:12:`, `0(12) :`) turned into file and line of
