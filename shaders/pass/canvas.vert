@@ -15,10 +15,10 @@ ivec2 cornerOf(int tile, ivec2 canvas) {
 
 bool anyLeft(ivec2 corner, ivec2 canvas) {
     ivec2 end = min(corner + kTile, canvas);
-    float least = 0.0;
+    float deepest = 0.0;
     for (int y = corner.y; y < end.y; ++y)
-        for (int x = corner.x; x < end.x; ++x) least = max(least, texelFetch(drawn, ivec2(x, y), 0).r);
-    return least == 1.0;
+        for (int x = corner.x; x < end.x; ++x) deepest = max(deepest, texelFetch(drawn, ivec2(x, y), 0).r);
+    return deepest == 1.0;
 }
 
 vec4 tileAt(int tile) {

@@ -1,7 +1,7 @@
-// What is read at fixed places, read once before all loops and held in variables, for SwiftShader: its compiler makes each read
-// anew, and each calls a function that takes an eighth of the time of a picture.
+// What is read at fixed places, read once before all loops and held in variables: for SwiftShader, whose compiler makes each
+// read anew, and each is a call that samples a texture. The library's own files do so; where one is overridden, none does.
 //
-// hold  reads what follows; a shader's main() begins with it
+// hold  reads them all; main() begins with it
 #if BLOCKS
 #include "accel/walk.glsl"
 #endif

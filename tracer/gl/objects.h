@@ -37,7 +37,6 @@ namespace detail {
 void deleteTexture(GLuint);
 void deleteBuffer(GLuint);
 void deleteFramebuffer(GLuint);
-void deleteRenderbuffer(GLuint);
 void deleteVertexArray(GLuint);
 void deleteProgram(GLuint);
 void deleteShader(GLuint);
@@ -46,7 +45,6 @@ void deleteShader(GLuint);
 using Texture = Name<detail::deleteTexture>;
 using Buffer = Name<detail::deleteBuffer>;
 using Framebuffer = Name<detail::deleteFramebuffer>;
-using Renderbuffer = Name<detail::deleteRenderbuffer>;
 using VertexArray = Name<detail::deleteVertexArray>;
 using ProgramName = Name<detail::deleteProgram>;
 using ShaderName = Name<detail::deleteShader>;
