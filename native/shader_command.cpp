@@ -67,7 +67,8 @@ int shader(const ShaderOptions& options) {
     const auto scene = assets ? assets->readScene(options.drawing.scene, problems) : std::nullopt;
     if (!scene) return fail(kInputWrong, problems);
 
-    const GlslTarget target{.es300 = options.glsl == "es300", .processor = options.processor || options.swiftShader,
+    const GlslTarget target{.es300 = options.glsl == "es300",
+                            .processor = options.processor || options.swiftShader,
                             .swiftShader = options.swiftShader};
     const Features features = featuresOf(*scene, *settings, target);
     const ShaderSource source = sourceOf(options.pass, features, problems);

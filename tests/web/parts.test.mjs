@@ -1,11 +1,13 @@
 // A picture in parts is the picture of the whole program, in every byte: what a browser's GL leaves out is drawn behind
-// (shaders/pass/canvas.vert). Sizes that no tile divides, times at which what is rare lies elsewhere, a canvas smaller than
-// what is rare in it.
+// (shaders/pass/canvas.vert). Sizes that no tile divides, times at which what is rare lies elsewhere; and on the page itself, where
+// a slow picture is refined band by band.
 import { after, before, describe, test } from 'node:test';
 import { strict as assert } from 'node:assert';
-import { browserNames, differences, launch, openPage, picture } from './browsers.mjs';
+import { PNG } from 'pngjs';
+import { browserNames, differences, launch, openPage, picture, until } from './browsers.mjs';
 import { serve } from './server.mjs';
 
+const still = 'pause=on&depth=8';
 const cases = [
   { scene: 'pro', size: '163x121', time: 0 },
   { scene: 'pro', size: '90x67', time: 7.3 },
@@ -29,7 +31,7 @@ for (const name of browserNames)
     for (const { scene, size, time } of cases)
       test(`${scene} at ${size}`, async () => {
         const shown = async (parts) => {
-          const page = await openPage(browser, `${server.url}?scene=${scene}&size=${size}&time=${time}&pause=on&depth=8&adapt=off&parts=${parts}`);
+          const page = await openPage(browser, `${server.url}?scene=${scene}&size=${size}&time=${time}&${still}&adapt=off&parts=${parts}`);
           const { sourceBytes } = await page.evaluate(() => window.gnomon.stats());
           const seen = await picture(page);
           page.verify();
@@ -41,4 +43,23 @@ for (const name of browserNames)
         assert.ok(new Set(whole.seen.data).size > 50, 'the picture shows nothing');
         assert.equal(differences(parts.seen, whole.seen), 0);
       });
+
+    test('pro as the page refines it', async () => {
+      const viewport = { width: 641, height: 479 };
+      const url = `${server.url}?scene=pro&size=641x479&${still}`;
+      const whole = await openPage(browser, `${url}&time=3&adapt=off&parts=off`, { viewport });
+      const wanted = await picture(whole);
+      const page = await openPage(browser, `${url}&time=0`, { viewport });
+      await page.evaluate(() => { // all but the canvas
+        for (const one of document.querySelectorAll('body *'))
+          if (one.tagName !== 'CANVAS' && !one.querySelector('canvas')) one.style.display = 'none';
+      });
+      await page.evaluate(() => window.gnomon.set('time', 3)); // all programs are ready: it is drawn by them anew
+      const shown = async () => PNG.sync.read(Buffer.from(await page.screenshot()));
+      await until('the picture of the whole program', async () => differences(await shown(), wanted) === 0);
+      for (const each of [page, whole]) {
+        each.verify();
+        await each.close();
+      }
+    });
   });

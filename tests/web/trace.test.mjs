@@ -6,14 +6,13 @@
 //        docs/results.md
 import { after, before, describe, test } from 'node:test';
 import { strict as assert } from 'node:assert';
+import { median, openPair, race } from './against_source.mjs';
 import { browserNames, launch, openPage, picture } from './browsers.mjs';
 import { serve } from './server.mjs';
-import { sourceScene, sourceShaders } from './source.mjs';
 
 const still = 'pause=on&time=0&depth=8&adapt=off';
 const compared = { lite: { size: '320x240', least: 1.1 }, pro: { size: '160x120', least: 2 } };
 
-const median = (values) => values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)];
 const apart = (a, b) => a.data.reduce((most, value, i) => Math.max(most, Math.abs(value - b.data[i])), 0);
 
 function shareWithin(a, b, bound) {
@@ -38,21 +37,9 @@ for (const name of browserNames)
 
     for (const [scene, { size, least }] of Object.entries(compared))
       test(`${scene} is the source's picture, at least ${least} times as fast`, async () => {
-        const ours = await openPage(browser, `${server.url}?scene=${scene}&size=${size}&${still}`);
-        const source = await openPage(browser, `${server.url}?scene=${scene}&size=${size}&${still}&accel=none`);
-        const [told, files] = [await sourceScene(scene), await sourceShaders()];
-        await source.evaluate((to) => window.gnomon.load(to), told);
-        await source.evaluate((texts) => window.gnomon.shaders(texts), files);
+        const { ours, source } = await openPair(browser, server.url, { scene, size });
         const share = shareWithin(await picture(ours), await picture(source), 24);
-
-        const ratios = [];
-        for (let round = 0; round < 5; ++round) {
-          const frame = async (page) => {
-            await page.bringToFront();
-            return page.evaluate(() => window.gnomon.bench({ frames: 3 }).then(({ medianMs }) => medianMs));
-          };
-          ratios.push((await frame(source)) / (await frame(ours)));
-        }
+        const { ratios } = await race({ ours, source }, 5);
         const text = `${(100 * share).toFixed(2)} % alike; ${median(ratios).toFixed(2)} times as fast (${ratios.map((r) => r.toFixed(2)).join(' ')})`;
         console.log(`# ${name} ${scene}: ${text}`);
         assert.ok(share >= 0.98, text);

@@ -14,9 +14,9 @@
 namespace gnomon {
 namespace {
 
-constexpr int kDataWidth = 2048;            // texels a row of the data texture, as shaders/scene.glsl reads it
+constexpr int kDataWidth = 2048;             // texels a row of the data texture, as shaders/scene.glsl reads it
 constexpr GLenum kProgramPointSize = 0x8642; // GL_PROGRAM_POINT_SIZE: always on in GLES
-constexpr GLenum kSeamlessCubemap = 0x884F; // GL_TEXTURE_CUBE_MAP_SEAMLESS: always on in GLES, unknown to its header
+constexpr GLenum kSeamlessCubemap = 0x884F;  // GL_TEXTURE_CUBE_MAP_SEAMLESS: always on in GLES, unknown to its header
 
 /// shaders/frame.glsl, in std140.
 struct FrameBlock {

@@ -53,7 +53,7 @@ struct Features {
     bool dataBlock = false;                              ///< numbers in a uniform block, else in a texture
     bool parted = false;                                 ///< smaller programs draw what they can: tracer/shader/parts.h
     bool refractionRare = false, normalMapsRare = false; ///< few pixels meet them: the usual program does without
-    bool leaves = false;       ///< the usual program itself, which leaves pixels to the whole one
+    bool leaves = false; ///< the usual program itself, which leaves pixels to the whole one
     int tile = 0; ///< side in pixels of the squares in which the whole one draws them; 0: where no depth is written
     bool turnsCounted = false; ///< by the loop of shadow rays, which ends by itself: shaders/ray/shadow_rays.glsl
     bool readAhead = false;    ///< numbers at fixed places are read before all loops: shaders/ray/ahead.glsl

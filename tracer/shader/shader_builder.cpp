@@ -116,9 +116,8 @@ Names namesOf(const Features& f) {
         {"CELLS", int(Search::Cells)},
     };
     // Of any kind: none in a program that is left with no kind to ask.
-    for (const char* name :
-         {"SEARCHES", "BLOCKS", "CELL_GRIDS", "HIERARCHIES", "ESTIMATED_CASTERS", "MARCHED_CASTERS", "RACKS", "NEARBY",
-          "TRIANGLES"})
+    for (const char* name : {"SEARCHES", "BLOCKS", "CELL_GRIDS", "HIERARCHIES", "ESTIMATED_CASTERS", "MARCHED_CASTERS",
+                             "RACKS", "NEARBY", "TRIANGLES"})
         names.values[name] = 0;
     // Solids have shapes for parts that the scene has no object of.
     for (const ShapeRow& row : shapeTable()) names.values[mapped(std::string(row.type), std::toupper) + "_IMAGES"] = 0;
