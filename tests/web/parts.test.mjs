@@ -1,13 +1,16 @@
-// A picture in parts is the picture of the whole program, in every byte: what a browser's GL leaves out is drawn behind
-// (shaders/pass/canvas.vert). Sizes that no tile divides, times at which what is rare lies elsewhere; and on the page itself, where
-// a slow picture is refined band by band.
+// A picture in parts, its numbers held where Chromium's GL gains by it, is the picture of one program that reads each number where
+// it needs it, in every byte: what a part leaves out is drawn behind (shaders/pass/canvas.vert). Sizes that no tile divides, times
+// at which what is rare lies elsewhere; and on the page itself, where a slow picture is refined band by band.
 import { after, before, describe, test } from 'node:test';
 import { strict as assert } from 'node:assert';
+import { readFile } from 'node:fs/promises';
 import { PNG } from 'pngjs';
 import { browserNames, differences, launch, openPage, picture, until } from './browsers.mjs';
 import { serve } from './server.mjs';
 
 const still = 'pause=on&depth=8';
+// Where a file is not the library's own, though its text be the same, there is one program, and it holds nothing.
+const encode = await readFile(new URL('../../shaders/shade/encode.glsl', import.meta.url), 'utf8');
 const cases = [
   { scene: 'pro', size: '163x121', time: 0 },
   { scene: 'pro', size: '90x67', time: 7.3 },
@@ -34,11 +37,17 @@ for (const name of browserNames)
           const page = await openPage(browser, `${server.url}?scene=${scene}&size=${size}&time=${time}&${still}&adapt=off&parts=${parts}`);
           const { sourceBytes } = await page.evaluate(() => window.gnomon.stats());
           const seen = await picture(page);
+          const holds = () => page.evaluate(() => window.gnomon.source().includes('void hold('));
+          assert.equal(await holds(), name === 'chromium');
+          await page.evaluate((text) => window.gnomon.shaders({ 'shade/encode.glsl': text }), encode);
+          assert.equal(await holds(), false);
+          const plain = await picture(page);
           page.verify();
           await page.close();
-          return { seen, sourceBytes };
+          return { seen, sourceBytes, plain };
         };
         const whole = await shown('off'), parts = await shown('on');
+        assert.equal(differences(parts.plain, parts.seen), 0);
         assert.ok(parts.sourceBytes > whole.sourceBytes + 10_000, `there was no usual program: ${parts.sourceBytes} bytes beside ${whole.sourceBytes}`);
         assert.ok(new Set(whole.seen.data).size > 50, 'the picture shows nothing');
         assert.equal(differences(parts.seen, whole.seen), 0);

@@ -66,9 +66,11 @@ Programs::Programs(const Features& features, ProgramCache& cache, Problems& prob
 bool Programs::leaves() const { return features_.parted && anyRare(features_); }
 
 bool Programs::beginParts(ProgramCache& cache, Problems& problems) {
-    Features sky = features_;
-    sky.tile = 0;
-    if (!sky_) sky_ = cache.get(sky, problems, "pass/sky.frag");
+    if (!sky_) {
+        Features sky = features_;
+        sky.tile = 0;
+        sky_ = cache.get(sky, problems, "pass/sky.frag");
+    }
     if (!usual_ && leaves()) usual_ = cache.get(usualOf(features_), problems);
     return sky_ && (usual_ || !leaves());
 }

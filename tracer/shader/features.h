@@ -57,7 +57,7 @@ struct Features {
     int tile = 0; ///< side in pixels of the squares in which the whole one draws them; 0: where no depth is written
     bool turnsCounted = false; ///< by the loop of shadow rays, which ends by itself: shaders/ray/shadow_rays.glsl
     bool readAhead = false;    ///< numbers at fixed places are read before all loops: shaders/ray/ahead.glsl
-    bool held = false;         ///< they are held in variables, too: shaders/ray/held.glsl
+    bool held = false;         ///< they are held in variables instead: shaders/ray/held.glsl
     bool es300 = true;         ///< prelude `#version 300 es`, else `330 core`
 
     int objects() const;
