@@ -1,5 +1,5 @@
 /// gnomon: the desktop program.
-#include "native/commands.h"
+#include "native/command/commands.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -1,4 +1,4 @@
-// The scene's numbers: sceneTexel(i) is the i-th vec4 that packScene() in tracer/render/scene_data.cpp wrote.
+// The scene's numbers: sceneTexel(i) is the i-th vec4 that packScene() in tracer/plan/scene_packer.cpp wrote.
 //
 // On a GPU where the scene fits they lie in a uniform block, else in a float texture 2048 texels wide. Offsets are the
 // constants kSphereBase, kMaterialBase, … at the top of the specialised shader. The texture has one level and no filter, and a

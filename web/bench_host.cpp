@@ -9,9 +9,9 @@
 #include "tracer/clock.h"
 #include "tracer/gl/gl.h"
 #include "tracer/image.h"
-#include "tracer/lab/bench_series.h"
-#include "tracer/lab/bench_tables.h"
-#include "tracer/render/pose.h"
+#include "lab/bench/bench_series.h"
+#include "lab/bench/bench_tables.h"
+#include "tracer/plan/pose.h"
 #include "tracer/scene/read_scene.h"
 #include "tracer/version.h"
 

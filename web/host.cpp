@@ -5,9 +5,9 @@
 // Viewer.
 #include "tracer/gl/gl.h"
 #include "tracer/image.h"
-#include "tracer/lab/canary.h"
-#include "tracer/lab/ray_batch.h"
-#include "tracer/render/settings.h"
+#include "lab/batch/numerics_self_test.h"
+#include "lab/batch/ray_batch.h"
+#include "tracer/settings/settings.h"
 #include "tracer/render/viewer.h"
 #include "tracer/scene/read_scene.h"
 #include "tracer/shader/library.h"
@@ -249,15 +249,15 @@ EMSCRIPTEN_KEEPALIVE const int* readOutput() {
     return hand(host.output.width, host.output.height, host.output.channels, host.output.pixels.data());
 }
 
-/// How exact this GL's numbers are, measured now: JSON, see toJson(Canary).
+/// How exact this GL's numbers are, measured now: JSON, see toJson(NumericsSelfTest).
 EMSCRIPTEN_KEEPALIVE const char* measureNumerics() {
     Problems problems;
-    Canary canary;
+    NumericsSelfTest selfTest;
     if (hasFloatTargets(problems))
-        canary = runCanary();
+        selfTest = runNumericsSelfTest();
     else
-        canary.problem = toString(problems);
-    return give(toJson(canary));
+        selfTest.problem = toString(problems);
+    return give(toJson(selfTest));
 }
 
 /// Traces `count` rays of kRayFloats numbers each through the scene of the text, beside the viewer's own.

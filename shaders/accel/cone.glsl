@@ -2,7 +2,7 @@
 // by the ball about all of it.
 //
 // nextInCone   the next leaf, from `node` on, whose box the cone may meet; its object's number in its kind, -1 at the end
-// blockPassed  whether the cone passes by a block of `cells` cells, two texels at `at`
+// latticePassed  whether the cone passes by a block of `cells` cells, two texels at `at`
 // Error        nothing is missed: balls are larger than boxes by what rounding may be
 #if HIERARCHIES
 int nextInCone(int grid, int nodes, LightCone cone, inout int node) {
@@ -23,8 +23,8 @@ int nextInCone(int grid, int nodes, LightCone cone, inout int node) {
 }
 #endif
 
-#if BLOCKS
-bool blockPassed(int at, vec3 cells, LightCone cone) {
+#if LATTICES
+bool latticePassed(int at, vec3 cells, LightCone cone) {
     vec3 reach = 0.5 * cells * sceneTexel(at + 1).xyz;
     return passesBy(cone, vec4(sceneTexel(at).xyz + reach, length(reach)));
 }

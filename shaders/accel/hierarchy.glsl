@@ -1,19 +1,19 @@
 // Hierarchy of boxes, one a kind of objects, walked without a stack: a ray that misses a box goes on at the node after all
 // below it. Written by tracer/accel/node_texels.h, which says what a node holds; a leaf holds one object.
 //
-// gridRay   the ray in the cells that the boxes of a hierarchy are told in
+// quantisedRay   the ray in the cells that the boxes of a hierarchy are told in
 // nextLeaf  the next leaf, from `node` on, whose box the ray meets nearer than `t`; answers its object's number in its kind,
 //           -1 at the end. Only this loop reads nodes: on wide SIMD objects are asked by all lanes together.
 // Error     no box is missed: the planes are moved outwards, along every axis by 2^-20 of the way to the boxes and across
 //           them, twice what rounding may be here and more than a shape's own (tests/unit/node_texels_test.cpp)
 // Source    threaded traversal: B. Smits, Efficiency Issues for Ray Tracing, 1998
-struct GridRay {
+struct QuantisedRay {
     vec3 beforeLow;  // the ray's origin, as planes that a box begins at see it
     vec3 beforeHigh; // and those that it ends at
     vec3 perCell;    // t from one cell to the next, along each axis
 };
 
-GridRay gridRay(int grid, Ray ray) {
+QuantisedRay quantisedRay(int grid, Ray ray) {
     vec4 low = sceneTexel(grid);
     vec3 cells = sceneTexel(grid + 1).xyz;
     vec3 away = ray.origin - low.xyz;
@@ -22,10 +22,10 @@ GridRay gridRay(int grid, Ray ray) {
     vec3 origin = away * cells;
     vec3 direction = ray.direction * cells;
     vec3 steep = vec3(lessThan(abs(direction), vec3(1e-18)));
-    return GridRay(origin + room, origin - room, 1.0 / mix(direction, vec3(1e-18), steep));
+    return QuantisedRay(origin + room, origin - room, 1.0 / mix(direction, vec3(1e-18), steep));
 }
 
-int nextLeaf(GridRay ray, int nodes, int end, float t, inout int node) {
+int nextLeaf(QuantisedRay ray, int nodes, int end, float t, inout int node) {
     while (node < end) {
 #if OUTPUT == WORK
         ++work.x;

@@ -1,5 +1,5 @@
 // Searches for the objects of a kind that a ray may meet: those of its regular block by walking from cell to cell, the others
-// by a sieve, a hierarchy of boxes, or the lists of a grid's cells. Which a kind has is chosen by tracer/shader/features.h.
+// by a sieve, a hierarchy of boxes, or the lists of a grid's cells. Which a kind has is chosen by tracer/plan/features.h.
 //
 // start  begins the search of a ray
 // next   number of the next object in its kind that the ray may meet nearer than `t`, -1 at the end; each comes once, or once
@@ -11,23 +11,23 @@
 #if HIERARCHIES
 #include "accel/hierarchy.glsl"
 #endif
-#if BLOCKS
-#include "accel/block.glsl"
+#if LATTICES
+#include "accel/lattice.glsl"
 #endif
-#if CELL_GRIDS
-#include "accel/cells.glsl"
+#if UNIFORM_GRIDS
+#include "accel/uniform_grid.glsl"
 #endif
 
 #for Shape in SHAPES
 #if $SHAPE_SEARCHED
 struct Search$Shape {
-#if $SHAPE_BLOCK
-    GridWalk block;
+#if $SHAPE_LATTICE
+    GridWalk lattice;
 #endif
 #if $SHAPE_SEARCH == HIERARCHY
-    GridRay boxes;
+    QuantisedRay boxes;
     int node;
-#elif $SHAPE_SEARCH == CELLS
+#elif $SHAPE_SEARCH == GRID
     CellWalk cells;
 #else
     uint sieve;
@@ -36,29 +36,29 @@ struct Search$Shape {
 
 Search$Shape start$Shape(Ray ray) {
     Search$Shape search;
-#if $SHAPE_BLOCK
-#if HELD
-    Grid block = held$ShapeBlock;
+#if $SHAPE_LATTICE
+#if CACHED_LOADS
+    Grid lattice = cached$ShapeLattice;
 #else
-    Grid block = loadGrid(k$ShapeBlock);
+    Grid lattice = loadGrid(k$ShapeLattice);
 #endif
-    search.block = enterGrid(block, vec3(k$ShapeBlockX, k$ShapeBlockY, k$ShapeBlockZ), ray);
+    search.lattice = enterGrid(lattice, vec3(k$ShapeLatticeX, k$ShapeLatticeY, k$ShapeLatticeZ), ray);
 #endif
 #if $SHAPE_SEARCH == HIERARCHY
-    search.boxes = gridRay(k$ShapeGrid, ray);
+    search.boxes = quantisedRay(k$ShapeQuantisation, ray);
     search.node = 0;
-#elif $SHAPE_SEARCH == CELLS
-    search.cells = enterCells(k$ShapeCells, vec3(k$ShapeCellsX, k$ShapeCellsY, k$ShapeCellsZ), ray);
+#elif $SHAPE_SEARCH == GRID
+    search.cells = enterUniformGrid(k$ShapeGrid, vec3(k$ShapeGridX, k$ShapeGridY, k$ShapeGridZ), ray);
 #else
     int self = ray.self - k$ShapeFirst - k$ShapeLoose;
     search.sieve = self >= 0 && self < k$ShapeCount - k$ShapeLoose ? 1u << uint(self) : 0u;
-    float stretch = stretchOf(ray);
-#for Part in $SHAPE_SIEVE
+    float stretch = paddedSquaredLength(ray);
+#for Part in $SHAPE_SPHERE_MASK
     // Always true. Without it GPUs load all balls at once, and have no registers for so many.
     if (frame.zero.x == 0u) {
-#for Bit in $SHAPE_SIEVE_$PART
-#if HELD
-        vec4 ball$Bit = held$ShapeBall$Bit;
+#for Bit in $SHAPE_SPHERE_MASK_$PART
+#if CACHED_LOADS
+        vec4 ball$Bit = cached$ShapeBall$Bit;
 #else
         vec4 ball$Bit = ball$Shape(load$Shape(k$ShapeBase + (k$ShapeLoose + $Bit) * k$ShapeTexels));
 #endif
@@ -74,25 +74,25 @@ Search$Shape start$Shape(Ray ray) {
 bool ended$Shape(Search$Shape search) {
 #if $SHAPE_SEARCH == HIERARCHY
     bool ended = search.node >= k$ShapeNodes;
-#elif $SHAPE_SEARCH == CELLS
-    bool ended = leftCells(vec3(k$ShapeCellsX, k$ShapeCellsY, k$ShapeCellsZ), search.cells);
+#elif $SHAPE_SEARCH == GRID
+    bool ended = leftUniformGrid(vec3(k$ShapeGridX, k$ShapeGridY, k$ShapeGridZ), search.cells);
 #else
     bool ended = search.sieve == 0u;
 #endif
-#if $SHAPE_BLOCK
-    ended = ended && leftGrid(vec3(k$ShapeBlockX, k$ShapeBlockY, k$ShapeBlockZ), search.block);
+#if $SHAPE_LATTICE
+    ended = ended && leftGrid(vec3(k$ShapeLatticeX, k$ShapeLatticeY, k$ShapeLatticeZ), search.lattice);
 #endif
     return ended;
 }
 
 int next$Shape(inout Search$Shape search, Ray ray, float t) {
 #if $SHAPE_SEARCH == HIERARCHY
-    int leaf = nextLeaf(search.boxes, k$ShapeGrid + 2, k$ShapeNodes, t, search.node);
+    int leaf = nextLeaf(search.boxes, k$ShapeQuantisation + 2, k$ShapeNodes, t, search.node);
     if (leaf >= 0) return k$ShapeLoose + leaf;
-#elif $SHAPE_SEARCH == CELLS
+#elif $SHAPE_SEARCH == GRID
     int self = ray.self - k$ShapeFirst - k$ShapeLoose;
     float last = lastStep(search.cells.grid, t);
-    while (goOn(k$ShapeCells + 2, vec3(k$ShapeCellsX, k$ShapeCellsY, k$ShapeCellsZ), last, search.cells)) {
+    while (goOn(k$ShapeGrid + 2, vec3(k$ShapeGridX, k$ShapeGridY, k$ShapeGridZ), last, search.cells)) {
         int listed = takeListed(search.cells);
         if (listed < 0) continue;
         int index = k$ShapeLoose + listed;
@@ -105,8 +105,8 @@ int next$Shape(inout Search$Shape search, Ray ray, float t) {
         return k$ShapeLoose + index;
     }
 #endif
-#if $SHAPE_BLOCK
-    return nextInBlock(vec3(k$ShapeBlockX, k$ShapeBlockY, k$ShapeBlockZ), ray, t, ray.self - k$ShapeFirst, search.block);
+#if $SHAPE_LATTICE
+    return nextInLattice(vec3(k$ShapeLatticeX, k$ShapeLatticeY, k$ShapeLatticeZ), ray, t, ray.self - k$ShapeFirst, search.lattice);
 #else
     return -1;
 #endif

@@ -1,4 +1,4 @@
-// One pixel whose ray from the eye meets nothing: tracer/render/regions.h says which do. As the tree would draw it.
+// One pixel whose ray from the eye meets nothing: tracer/software/screen_partition.h says which do. As the tree would draw it.
 #include "frame.glsl"
 #include "scene.glsl"
 #include "ray/ray.glsl"

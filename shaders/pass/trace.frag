@@ -10,10 +10,10 @@
 #endif
 #include "ray/primary.glsl"
 #include "ray/nearest.glsl"
-#if READ_AHEAD
-#include "ray/ahead.glsl"
-#elif HELD
-#include "ray/held.glsl"
+#if PRELOADS
+#include "software/preloads.glsl"
+#elif CACHED_LOADS
+#include "software/cached_loads.glsl"
 #endif
 #if OUTPUT == COLOR || OUTPUT == WORK || OUTPUT == STEPS
 #if IMAGES
@@ -105,17 +105,17 @@ vec4 pixel(Ray ray) {
 #endif
 
 void main() {
-#if HELD
-    hold();
+#if CACHED_LOADS
+    cacheLoads();
 #endif
-#if READ_AHEAD
-    vec4 ahead = readAhead();
+#if PRELOADS
+    vec4 ahead = preload();
     vec4 color = pixel(primaryRay());
     outColor = frame.zero.x == 0u ? color : ahead;
 #else
     outColor = pixel(primaryRay());
 #endif
-#if LEAVES
+#if FALLBACK
     if (left) discard;
 #endif
 }

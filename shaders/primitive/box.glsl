@@ -28,7 +28,7 @@ vec3 largestAxis(vec3 v) {
 }
 
 #if DISTANCES
-#include "sdf/away.glsl"
+#include "sdf/safe_direction.glsl"
 
 vec4 distanceBox(Box box, vec3 p, vec3 from) {
     vec3 offset = p - box.center;
@@ -37,7 +37,7 @@ vec4 distanceBox(Box box, vec3 p, vec3 from) {
     vec3 outside = max(beyond, 0.0);
     float away = length(outside);
     float depth = min(max(beyond.x, max(beyond.y, beyond.z)), 0.0);
-    return vec4(side * awayFrom(outside, away, largestAxis(beyond)), away + depth);
+    return vec4(side * safeDirection(outside, away, largestAxis(beyond)), away + depth);
 }
 #endif
 

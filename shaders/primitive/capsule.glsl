@@ -25,14 +25,14 @@ Capsule loadCapsule(int at) {
 vec4 ballCapsule(Capsule capsule) { return vec4(onAxis(capsule.axis, vec3(0.0)), capsule.axis.halfLength + capsule.radius); }
 
 #if DISTANCES
-#include "sdf/away.glsl"
+#include "sdf/safe_direction.glsl"
 
 vec4 distanceCapsule(Capsule capsule, vec3 p, vec3 from) {
     Axis axis = capsule.axis;
     vec3 offset = (p - axis.from) - axis.toMiddle;
     offset -= clamp(dot(offset, axis.along), -axis.halfLength, axis.halfLength) * axis.along;
     float away = length(offset);
-    return vec4(awayFrom(offset, away, firstAcross(axis)), away - capsule.radius);
+    return vec4(safeDirection(offset, away, firstAcross(axis)), away - capsule.radius);
 }
 #endif
 

@@ -32,7 +32,7 @@ vec4 ballCone(Cone cone) { return vec4(onAxis(cone.axis, vec3(0.0)), length(vec2
 vec2 coneAngle(Cone cone) { return normalize(vec2(cone.radius, 2.0 * cone.axis.halfLength)); }
 
 #if DISTANCES
-#include "sdf/away.glsl"
+#include "sdf/safe_direction.glsl"
 
 vec4 distanceCone(Cone cone, vec3 p, vec3 from) {
     AxialPoint local = axialPoint(cone.axis, p);
@@ -48,7 +48,7 @@ vec4 distanceCone(Cone cone, vec3 p, vec3 from) {
     vec2 apart = under ? vec2(max(fromRim.x, 0.0), fromRim.y) : above * outward + past * upward;
     float away = length(apart);
     vec2 inner = above > -fromRim.y ? outward : vec2(0.0, -1.0);
-    vec2 nearest = inside ? inner : awayFrom(apart, away, inner);
+    vec2 nearest = inside ? inner : safeDirection(apart, away, inner);
     vec3 gradient = nearest.x * around(cone.axis, local.across) + nearest.y * cone.axis.along;
     return vec4(gradient, inside ? max(above, -fromRim.y) : away);
 }

@@ -26,7 +26,7 @@ Cylinder loadCylinder(int at) {
 vec4 ballCylinder(Cylinder cylinder) { return vec4(onAxis(cylinder.axis, vec3(0.0)), length(vec2(cylinder.axis.halfLength, cylinder.radius))); }
 
 #if DISTANCES
-#include "sdf/away.glsl"
+#include "sdf/safe_direction.glsl"
 
 vec4 distanceCylinder(Cylinder cylinder, vec3 p, vec3 from) {
     AxialPoint local = axialPoint(cylinder.axis, p);
@@ -34,7 +34,7 @@ vec4 distanceCylinder(Cylinder cylinder, vec3 p, vec3 from) {
     vec2 beyond = vec2(local.away - cylinder.radius, abs(local.along) - cylinder.axis.halfLength);
     vec2 outside = max(beyond, 0.0);
     float away = length(outside);
-    vec2 nearest = awayFrom(outside, away, beyond.x > beyond.y ? vec2(1.0, 0.0) : vec2(0.0, 1.0));
+    vec2 nearest = safeDirection(outside, away, beyond.x > beyond.y ? vec2(1.0, 0.0) : vec2(0.0, 1.0));
     vec3 gradient = nearest.x * around(cylinder.axis, local.across) + top * nearest.y * cylinder.axis.along;
     return vec4(gradient, away + min(max(beyond.x, beyond.y), 0.0));
 }

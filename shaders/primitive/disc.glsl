@@ -25,7 +25,7 @@ Disc loadDisc(int at) {
 vec4 ballDisc(Disc disc) { return vec4(disc.center, disc.radius); }
 
 #if DISTANCES
-#include "sdf/away.glsl"
+#include "sdf/safe_direction.glsl"
 
 vec4 distanceDisc(Disc disc, vec3 p, vec3 from) {
     vec3 offset = p - disc.center;
@@ -34,8 +34,8 @@ vec4 distanceDisc(Disc disc, vec3 p, vec3 from) {
     float away = length(across);
     float beyond = max(away - disc.radius, 0.0);
     float least = length(vec2(above, beyond));
-    vec3 fromRim = above * disc.normal + beyond * awayFrom(across, away, vec3(0.0));
-    return vec4(awayFrom(fromRim, least, disc.normal), least);
+    vec3 fromRim = above * disc.normal + beyond * safeDirection(across, away, vec3(0.0));
+    return vec4(safeDirection(fromRim, least, disc.normal), least);
 }
 #endif
 

@@ -10,7 +10,7 @@ float planeAhead(vec3 toOrigin, vec3 normal, vec3 direction) {
 
 Surface surfacePlanar(vec3 anchor, vec3 normal, vec3 offset) {
     // Opaque: else compilers round what comes of it as it is used, and so differently in each program.
-    offset = opaque(offset - dot(normal, offset) * normal);
+    offset = optimisationBarrier(offset - dot(normal, offset) * normal);
     Surface surface = bareSurface(anchor + offset, normal, 0.0);
 #if IMAGES
     // The world axis least along the normal, laid into the plane; +x wherever the normal is not mostly x.

@@ -22,12 +22,12 @@ Sphere loadSphere(int at) {
 vec4 ballSphere(Sphere sphere) { return vec4(sphere.center, sphere.radius); }
 
 #if DISTANCES
-#include "sdf/away.glsl"
+#include "sdf/safe_direction.glsl"
 
 vec4 distanceSphere(Sphere sphere, vec3 p, vec3 from) {
     vec3 offset = p - sphere.center;
     float away = length(offset);
-    return vec4(awayFrom(offset, away, vec3(0.0, 1.0, 0.0)), away - sphere.radius);
+    return vec4(safeDirection(offset, away, vec3(0.0, 1.0, 0.0)), away - sphere.radius);
 }
 #endif
 

@@ -31,7 +31,7 @@ Torus loadTorus(int at) {
 vec4 ballTorus(Torus torus) { return vec4(torus.center, torus.major + torus.minor); }
 
 #if DISTANCES
-#include "sdf/away.glsl"
+#include "sdf/safe_direction.glsl"
 
 vec4 distanceTorus(Torus torus, vec3 p, vec3 from) {
     vec3 offset = p - torus.center;
@@ -41,9 +41,9 @@ vec4 distanceTorus(Torus torus, vec3 p, vec3 from) {
     float beyond = away - torus.major;
     float fromCircle = length(vec2(beyond, along));
     across -= dot(across, torus.axis) * torus.axis; // what rounding left along the axis counts close to it
-    vec3 outward = awayFrom(across, length(across), anyAcross(torus.axis));
+    vec3 outward = safeDirection(across, length(across), anyAcross(torus.axis));
     vec3 offCircle = beyond * outward + along * torus.axis;
-    return vec4(awayFrom(offCircle, length(offCircle), torus.axis), fromCircle - torus.minor);
+    return vec4(safeDirection(offCircle, length(offCircle), torus.axis), fromCircle - torus.minor);
 }
 #endif
 
@@ -118,7 +118,7 @@ float cubeRoot(float x) {
 }
 
 // Where g is concave; empty (beyond all numbers) where it is convex throughout.
-vec2 concaveStretch(Torus torus, TubeRay ray) {
+vec2 concaveInterval(Torus torus, TubeRay ray) {
     float fromAxis = cubeRoot(torus.major * ray.square * ray.least / (ray.square + ray.dz * ray.dz)); // there g'' is 0
     float square = fromAxis * fromAxis - ray.least;
     if (square < 0.0) return vec2(3e38);
@@ -142,9 +142,9 @@ struct TubePiece {
 TubePiece firstPiece(Torus torus, TubeRay ray, vec3 at, vec3 g, vec3 slope, bool outside) {
     bool before = at.y > at.x && g.y <= 0.0; // the root lies before the stretch
     bool within = at.z > at.y && g.z <= 0.0; // or, if not, in it
-    bool upToStretch = outside || before;
-    float low = upToStretch ? at.x : at.y;
-    float high = upToStretch ? at.y : at.z;
+    bool upToInterval = outside || before;
+    float low = upToInterval ? at.x : at.y;
+    float high = upToInterval ? at.y : at.z;
     bool known = before || (!outside && within);
     // From outside Newton starts at at.x. There the parabola through g, g' and g'' is better still: what it misses is of
     // third order, and as g'' shrinks towards the axis it meets 0 at or behind the root. At at.y it is a line.
@@ -176,7 +176,7 @@ TubePiece nextPiece(vec3 at, vec3 g, vec3 slope, float end, bool outside) {
 // there is none. `side` as in intersectTorus, 0 where g at the start is to tell.
 bool firstCrossing(Torus torus, TubeRay ray, vec2 bounds, float side, out float s) {
     const int kMaxSteps = 40;
-    vec3 at = vec3(bounds.x, clamp(concaveStretch(torus, ray), bounds.x, bounds.y));
+    vec3 at = vec3(bounds.x, clamp(concaveInterval(torus, ray), bounds.x, bounds.y));
     vec2 a = tubeResidual(torus, ray, at.x);
     vec2 b = tubeResidual(torus, ray, at.y);
     vec2 c = tubeResidual(torus, ray, at.z);

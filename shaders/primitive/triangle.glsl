@@ -29,7 +29,7 @@ vec4 ballTriangle(Triangle triangle) {
 }
 
 #if DISTANCES
-#include "sdf/away.glsl"
+#include "sdf/safe_direction.glsl"
 
 vec4 distanceTriangle(Triangle triangle, vec3 p, vec3 from) {
     vec3 ab = triangle.b - triangle.a;
@@ -51,7 +51,7 @@ vec4 distanceTriangle(Triangle triangle, vec3 p, vec3 from) {
     vec3 offRim = facing == vec3(0.0) ? offVertex : offEdge;
     vec3 offset = above * normal + (over ? vec3(0.0) : offRim);
     float least = length(offset);
-    return vec4(awayFrom(offset, least, normal), least);
+    return vec4(safeDirection(offset, least, normal), least);
 }
 #endif
 
@@ -60,7 +60,7 @@ vec3 loadMiddleOfTriangles() {
     return vec3(sceneTexel(kTriangleBase).w, sceneTexel(kTriangleBase + 1).w, sceneTexel(kTriangleBase + 2).w);
 }
 
-#if HELD
+#if CACHED_LOADS
 vec3 heldMiddleOfTriangles; // by ray/held.glsl
 vec3 middleOfTriangles() { return heldMiddleOfTriangles; }
 #else
@@ -99,7 +99,7 @@ float weigh(Triangle triangle, Ray ray, out NearRay near, out vec3 weights, out 
     vec3 c = sheared((triangle.c - middle) - near.origin, shear);
     // Twice the signed areas of the origin with each edge. Opaque products are rounded before they are subtracted: the area is
     // exactly negated where the vertices of an edge change places.
-    weights = opaque(vec3(c.x, a.x, b.x) * vec3(b.y, c.y, a.y)) - opaque(vec3(c.y, a.y, b.y) * vec3(b.x, c.x, a.x));
+    weights = optimisationBarrier(vec3(c.x, a.x, b.x) * vec3(b.y, c.y, a.y)) - optimisationBarrier(vec3(c.y, a.y, b.y) * vec3(b.x, c.x, a.x));
     scaledS = dot(weights, vec3(a.z, b.z, c.z));
     bool inside = all(greaterThanEqual(weights, vec3(0.0))) || all(lessThanEqual(weights, vec3(0.0)));
     return inside ? weights.x + weights.y + weights.z : 0.0;

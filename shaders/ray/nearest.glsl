@@ -1,6 +1,6 @@
 // The scene as a whole: which object a ray meets first, whether anything lies in its way, and the surface there.
 //
-// Objects are numbered by kind, as layoutOf() in tracer/accel/layout.h says, in each kind those first that cast shadows. One
+// Objects are numbered by kind, as layoutOf() in tracer/plan/layout.h says, in each kind those first that cast shadows. One
 // loop a kind, over all of its objects or over those that a search comes to; which search changes nothing in the answer: of
 // objects at the same distance the one with the lowest number is met. nearestHit keeps only t and the number, the surface is
 // worked out once, afterwards.
@@ -11,14 +11,14 @@ ivec3 work = ivec3(0);
 #for Shape in SHAPES
 #include "primitive/$shape.glsl"
 #endfor
-#if HELD
-#include "ray/held.glsl"
+#if CACHED_LOADS
+#include "software/cached_loads.glsl"
 #endif
 #if SEARCHES
 #include "accel/search.glsl"
 #endif
-#if LEAVES
-#include "ray/leaving.glsl"
+#if FALLBACK
+#include "software/fallback.glsl"
 #endif
 
 // Whether the ray meets object `index` of its kind nearer than t, which then is where.
@@ -28,8 +28,8 @@ bool meets$Shape(int index, Ray ray, inout float t) {
     ++work.y;
 #endif
     float side = startSide(ray, k$ShapeFirst + index);
-#if HELD && $SHAPE_ALONE
-    return intersect$Shape(held$Shape, ray, side, t);
+#if CACHED_LOADS && $SHAPE_ALONE
+    return intersect$Shape(cached$Shape, ray, side, t);
 #else
     return intersect$Shape(load$Shape(k$ShapeBase + index * k$ShapeTexels), ray, side, t);
 #endif
@@ -67,8 +67,8 @@ int nearestHit(Ray ray, bool shadow, inout float t) {
     } while (at$Shape < k$ShapeCount);
 #endif
 #endfor
-#if LEAVES
-    left = left || (!(shadow && nearest >= 0) && mayMeetRare(ray, shadow, t));
+#if FALLBACK
+    left = left || (!(shadow && nearest >= 0) && mayMeetUncommon(ray, shadow, t));
 #endif
     return nearest;
 }
@@ -90,8 +90,8 @@ bool occluded(Ray ray, float distance) {
 Surface surfaceAt(int object, Ray ray, float t) {
 #for Shape in SHAPES
     if (object < k$ShapeEnd) {
-#if HELD && $SHAPE_ALONE
-        return surface$Shape(held$Shape, ray, t);
+#if CACHED_LOADS && $SHAPE_ALONE
+        return surface$Shape(cached$Shape, ray, t);
 #else
         int index = k$ShapeCount == 1 ? 0 : object - k$ShapeFirst; // the one place is known before any pixel is drawn
         return surface$Shape(load$Shape(k$ShapeBase + index * k$ShapeTexels), ray, t);

@@ -18,7 +18,7 @@ Ray nextShadowRay(Ray ray, inout ShadowRays shadows, out float t, out vec3 adds)
     ++work.z;
 #endif
     int index = nextLight(shadows.lit, adds);
-#if READ_AHEAD
+#if PRELOADS
     vec3 place = vec3(0.0); // chosen among those that have been read
     for (int i = 0; i < kLightCount; ++i)
         if (i == index) place = loadLight(i).position;
@@ -36,7 +36,7 @@ int nearestPastShadows(inout uint trail, inout Ray ray, inout Path path, inout b
     int object = -1;
     // Wide SIMD runs a loop's body as long as a pixel is in it: the end is found at its end. Compilers for GPUs spare registers
     // where they know the number of turns; SwiftShader pays for the count at each end.
-#if TURNS_COUNTED
+#if ITERATIONS_COUNTED
     for (int i = 0; i <= kLightCount; ++i) {
 #else
     for (;;) {
@@ -52,11 +52,11 @@ int nearestPastShadows(inout uint trail, inout Ray ray, inout Path path, inout b
         if (shadow) asked = nextShadowRay(ray, shadows, t, adds);
         object = nearestHit(asked, shadow, t);
         if (!shadow) break;
-#if LEAVES
+#if FALLBACK
         if (left) break;
 #endif
         if (object < 0) color += adds;
-        if (shadows.lit.counting == 0u && !ahead && !anyWaits(trail)) break;
+        if (shadows.lit.counting == 0u && !ahead && !anyPending(trail)) break;
     }
     return object;
 }

@@ -18,26 +18,26 @@ struct NearRay {
 
 float high12(float x) { return uintBitsToFloat((floatBitsToUint(x) + 0x800u) & 0xFFFFF000u); }
 vec3 high12(vec3 x) { return uintBitsToFloat((floatBitsToUint(x) + uvec3(0x800u)) & uvec3(0xFFFFF000u)); }
-vec3 opaque(vec3 x) { return uintBitsToFloat(floatBitsToUint(x) ^ frame.zero.xyz); }
+vec3 optimisationBarrier(vec3 x) { return uintBitsToFloat(floatBitsToUint(x) ^ frame.zero.xyz); }
 
 // What rounding took from difference = a - b.
 vec3 lostBy(vec3 difference, vec3 a, vec3 b) {
-    vec3 minusB = opaque(difference - a);
+    vec3 minusB = optimisationBarrier(difference - a);
     return (a - (difference - minusB)) - (b + minusB);
 }
 
 NearRay recentre(vec3 origin, vec3 center, vec3 direction) {
-    vec3 toOrigin = opaque(origin - center);
+    vec3 toOrigin = optimisationBarrier(origin - center);
     float t = -dot(toOrigin, direction) / dot(direction, direction);
     float tHigh = high12(t);
     float tLow = t - tHigh;
     vec3 high = high12(direction);
-    vec3 low = opaque(direction - high);
+    vec3 low = optimisationBarrier(direction - high);
     vec3 closest = ((toOrigin + tHigh * high) + tHigh * low) + tLow * high;
     return NearRay(closest + (tLow * low + lostBy(toOrigin, origin, center)), tHigh, tLow);
 }
 
-float stretchOf(Ray ray) { return 1.00001 * dot(ray.direction, ray.direction); }
+float paddedSquaredLength(Ray ray) { return 1.00001 * dot(ray.direction, ray.direction); }
 
 bool passesBy(Ray ray, float stretch, vec4 ball) {
     vec3 toOrigin = ray.origin - ball.xyz;
@@ -46,4 +46,4 @@ bool passesBy(Ray ray, float stretch, vec4 ball) {
     return dot(moment, moment) > room * room * stretch;
 }
 
-bool passesBy(Ray ray, vec4 ball) { return passesBy(ray, stretchOf(ray), ball); }
+bool passesBy(Ray ray, vec4 ball) { return passesBy(ray, paddedSquaredLength(ray), ball); }

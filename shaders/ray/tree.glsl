@@ -3,7 +3,7 @@
 //
 // Source  T. Whitted, An Improved Illumination Model for Shaded Display, 1980
 #include "ray/primary.glsl"
-#include "ray/waiting.glsl"
+#include "ray/ray_stack.glsl"
 #if SHADOWS_IN_TREE
 #include "ray/shadow_rays.glsl"
 #elif LIGHTS
@@ -43,14 +43,14 @@ vec3 traceTree(Ray ray) {
 #else
         int object = nearestHit(ray, t);
 #endif
-#if LEAVES
-        left = left || leftOut(object);
+#if FALLBACK
+        left = left || fallsBack(object);
         if (left) break;
 #endif
         bool follow = false;
         vec3 share = path.share;
 #if REFRACTION
-        bool again = path.depth <= soughtIn(trail); // what it sees has been added
+        bool again = path.depth <= restartDepthIn(trail); // what it sees has been added
         if (again) share = vec3(0.0);
 #endif
 #if GLOWS
@@ -146,10 +146,10 @@ vec3 traceTree(Ray ray) {
         }
 #if SHADOWS_IN_TREE
         ahead = follow;
-        if (!ahead && shadows.lit.counting == 0u && !anyWaits(trail)) break;
+        if (!ahead && shadows.lit.counting == 0u && !anyPending(trail)) break;
 #else
         if (follow) continue;
-        if (!anyWaits(trail)) break;
+        if (!anyPending(trail)) break;
         popRay(trail, ray, path);
 #endif
     }

@@ -11,7 +11,7 @@
 #if OUTPUT == STEPS
 #include "sdf/count.glsl"
 #endif
-#if RACKS || NEARBY
+#if SPHERE_LATTICES || NEARBY
 #include "sdf/nearby.glsl"
 #endif
 
@@ -29,18 +29,18 @@ vec4 sceneDistance(vec3 p, vec3 from, float atMost) {
 #endif
     vec4 nearest = vec4(0.0, 1.0, 0.0, atMost);
 #for Shape in CASTERS
-#if $SHAPE_RACK
-    nearest = nearer$Shape(nearest, nearestCell(k$ShapeBlock, vec3(k$ShapeBlockX, k$ShapeBlockY, k$ShapeBlockZ), p), p, from);
+#if $SHAPE_SPHERE_LATTICE
+    nearest = nearer$Shape(nearest, nearestCell(k$ShapeLattice, vec3(k$ShapeLatticeX, k$ShapeLatticeY, k$ShapeLatticeZ), p), p, from);
 #endif
 #if $SHAPE_NEARBY
-    GridPoint point$Shape = gridPoint(k$ShapeGrid, p);
+    QuantisedPoint point$Shape = quantisedPoint(k$ShapeQuantisation, p);
     int node$Shape = 0;
     for (int i = k$ShapeLoose; i <= k$ShapeCount; ++i) {
-        int index = k$ShapeLoose + nextNearby(point$Shape, k$ShapeGrid + 2, k$ShapeNodes, nearest.w, node$Shape);
+        int index = k$ShapeLoose + nextNearby(point$Shape, k$ShapeQuantisation + 2, k$ShapeNodes, nearest.w, node$Shape);
         if (index < k$ShapeLoose) break;
         if (index < k$ShapeCasters) nearest = nearer$Shape(nearest, index, p, from);
     }
-#elif $SHAPE_RACK
+#elif $SHAPE_SPHERE_LATTICE
     for (int i = k$ShapeLoose; i < k$ShapeCasters; ++i) nearest = nearer$Shape(nearest, i, p, from);
 #else
     for (int i = 0; i < k$ShapeCasters; ++i) nearest = nearer$Shape(nearest, i, p, from);

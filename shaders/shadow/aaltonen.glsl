@@ -3,9 +3,9 @@
 // Source  S. Aaltonen, GPU-based clay simulation and ray-tracing tech in Claybook, GDC 2018
 #include "shadow/cone.glsl"
 
-float visibility(Beam beam) {
-    ShadowCone cone = coneOf(beam);
-    float slope = discSlope(beam.distance, beam.lightRadius);
+float visibility(ShadowQuery query) {
+    ShadowCone cone = coneOf(query);
+    float slope = discSlope(query.distance, query.lightRadius);
     float least = 1.0;
     float before = 1e20;
     float t = cone.radius;

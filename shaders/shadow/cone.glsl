@@ -22,13 +22,13 @@ struct ShadowCone {
 };
 
 // The surface sphere touches the surface and has the pixel's radius, at least what float32 resolves of the coordinates.
-ShadowCone coneOf(Beam beam) {
-    vec3 size = abs(beam.ray.origin);
-    float r0 = max(beam.pixelRadius, 4e-6 * (max(size.x, max(size.y, size.z)) + 1e-3));
-    vec3 start = beam.ray.origin + r0 * beam.normal;
-    vec3 toLight = beam.ray.origin + beam.distance * beam.ray.direction - start;
+ShadowCone coneOf(ShadowQuery query) {
+    vec3 size = abs(query.ray.origin);
+    float r0 = max(query.pixelRadius, 4e-6 * (max(size.x, max(size.y, size.z)) + 1e-3));
+    vec3 start = query.ray.origin + r0 * query.normal;
+    vec3 toLight = query.ray.origin + query.distance * query.ray.direction - start;
     float distance = max(length(toLight), 1e-20);
-    float sine = clamp((beam.lightRadius - r0) / distance, -0.999, 0.999);
+    float sine = clamp((query.lightRadius - r0) / distance, -0.999, 0.999);
     float secant = inversesqrt(1.0 - sine * sine);
     return ShadowCone(start, toLight / distance, distance, r0 * secant, sine * secant, 0.0, 3e38);
 }

@@ -7,4 +7,4 @@ float narrower(float nearest) { return shareInverse(shareOf(nearest) - frame.opt
 bool dark(float nearest) { return shareOf(nearest) <= frame.options.y; }
 #include "shadow/march.glsl"
 
-float visibility(Beam beam) { return shareOf(nearestAlong(coneOf(beam))); }
+float visibility(ShadowQuery query) { return shareOf(nearestAlong(coneOf(query))); }

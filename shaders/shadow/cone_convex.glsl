@@ -33,8 +33,8 @@ float convexStep(ShadowCone cone, float at, float towards, float marched, out fl
     return step;
 }
 
-float visibility(Beam beam) {
-    ShadowCone cone = coneOf(beam);
+float visibility(ShadowQuery query) {
+    ShadowCone cone = coneOf(query);
     float nearest = 1.0;
     float marched = narrower(nearest);
     float t = 0.0;

@@ -5,4 +5,4 @@
 float met(float relative, float marched) { return relative; }
 #include "shadow/march.glsl"
 
-float visibility(Beam beam) { return shareOf(nearestAlong(coneOf(beam))); }
+float visibility(ShadowQuery query) { return shareOf(nearestAlong(coneOf(query))); }

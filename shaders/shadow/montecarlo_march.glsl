@@ -11,7 +11,7 @@
 
 const float kMet = 0.03;
 
-bool hidden(Beam toPoint) {
+bool hidden(ShadowQuery toPoint) {
     ShadowCone cone = coneOf(toPoint);
     float met = max(kMet * cone.radius, 1e-6 * (dot(abs(cone.start), vec3(1.0)) + cone.reach));
     float t = 0.0;

@@ -4,9 +4,9 @@
 // Source  I. Quilez, Free penumbra shadows for raymarching distance fields, 2010
 #include "shadow/cone.glsl"
 
-float visibility(Beam beam) {
-    ShadowCone cone = coneOf(beam);
-    float slope = discSlope(beam.distance, beam.lightRadius);
+float visibility(ShadowQuery query) {
+    ShadowCone cone = coneOf(query);
+    float slope = discSlope(query.distance, query.lightRadius);
     float least = 1.0;
     float t = cone.radius;
     for (int i = 0; i < frame.budget.x; ++i) {

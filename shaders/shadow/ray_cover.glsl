@@ -11,18 +11,18 @@ int partInTurn(int i) { return i < 2 ? 1 + 3 * i : (i == 2 ? 0 : (i < 5 ? i - 1 
 
 #for Shape in CASTERS
 #if $SHAPE_ESTIMATED
-bool hides$Shape(int index, Beam beam, LightCone cone, vec2 q) {
+bool hides$Shape(int index, ShadowQuery query, LightCone cone, vec2 q) {
     vec3 along = vec3(cone.slope * q, 1.0);
     float stretch = length(along);
-    Ray ray = beam.ray;
+    Ray ray = query.ray;
     ray.direction = cone.axes * along / stretch;
-    if (ray.self >= 0 && dot(ray.direction, beam.normal) <= 0.0) return false; // the horizon hides it already
+    if (ray.self >= 0 && dot(ray.direction, query.normal) <= 0.0) return false; // the horizon hides it already
     float t = cone.distance * stretch;
     return meets$Shape(index, ray, t);
 }
 
-void hide$Shape(int index, Beam beam, LightCone cone, inout Shade shade) {
-    vec2 shift = pixelShift(floatBitsToUint(beam.ray.direction.y));
+void hide$Shape(int index, ShadowQuery query, LightCone cone, inout Shade shade) {
+    vec2 shift = pixelShift(floatBitsToUint(query.ray.direction.y));
     float phi = 2.0 * kPi * shift.x;
     vec2 off = 0.9 * kPartSlope * sqrt(shift.y) * vec2(cos(phi), sin(phi));
     Points points = Points(uvec4(0u), uvec4(0u));
@@ -32,7 +32,7 @@ void hide$Shape(int index, Beam beam, LightCone cone, inout Shade shade) {
         if (i == 2 && hidden != 1.0) break;
         int part = partInTurn(i);
         vec2 q = partMiddle(part) + off;
-        if (hides$Shape(index, beam, cone, q / max(length(q), 1.0))) {
+        if (hides$Shape(index, query, cone, q / max(length(q), 1.0))) {
             hidden += 1.0;
             points = together(points, kParts[part]);
         }

@@ -1,7 +1,7 @@
 // The share of a light that is seen at `samples` points of its disc: (phi, sqrt(u)) of Halton's sequence in bases 2 and 3,
 // shifted at random from pixel to pixel, so that too few samples show as noise and not as bands. A model says beforehand
 //
-// hidden  whether anything stands before the one point of the disc that the beam goes to, as to a light without size
+// hidden  whether anything stands before the one point of the disc that the query goes to, as to a light without size
 //
 // Error  falls about as 1 / samples^(3/4)
 // Limits llvmpipe ends all loops of a pixel after 65 536 turns in all: what is read back takes many samples in several draws
@@ -32,22 +32,22 @@ float mirrored3(uint index) {
     return sum;
 }
 
-float visibility(Beam beam) {
-    mat2x3 across = frameAbout(beam.ray.direction);
-    float slope = discSlope(beam.distance, beam.lightRadius);
-    vec2 shift = pixelShift(floatBitsToUint(beam.ray.direction.x));
+float visibility(ShadowQuery query) {
+    mat2x3 across = frameAbout(query.ray.direction);
+    float slope = discSlope(query.distance, query.lightRadius);
+    vec2 shift = pixelShift(floatBitsToUint(query.ray.direction.x));
     int seen = 0;
     for (int i = 0; i < frame.budget.y; ++i) {
         uint index = uint(frame.budget.w + i + 1);
         vec2 u = fract(vec2(mirrored2(index), mirrored3(index)) + shift);
         float phi = 6.28318530717959 * u.x;
-        vec3 toDisc = beam.ray.direction + slope * sqrt(u.y) * (across * vec2(cos(phi), sin(phi)));
+        vec3 toDisc = query.ray.direction + slope * sqrt(u.y) * (across * vec2(cos(phi), sin(phi)));
         float stretch = length(toDisc);
-        Beam toPoint = beam;
+        ShadowQuery toPoint = query;
         toPoint.ray.direction = toDisc / stretch;
-        toPoint.distance = beam.distance * stretch;
+        toPoint.distance = query.distance * stretch;
         toPoint.lightRadius = 0.0;
-        if (dot(toPoint.ray.direction, beam.normal) <= 0.0 && beam.ray.self >= 0) continue; // below the horizon: the body itself
+        if (dot(toPoint.ray.direction, query.normal) <= 0.0 && query.ray.self >= 0) continue; // below the horizon: the body itself
         if (!hidden(toPoint)) ++seen;
     }
     return float(seen) / float(max(frame.budget.y, 1));

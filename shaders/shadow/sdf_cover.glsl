@@ -11,7 +11,7 @@
 #include "sdf/count.glsl"
 #endif
 
-#include "shadow/parts.glsl"
+#include "shadow/sphere_parts.glsl"
 
 struct Approach {
     vec3 gradient;
@@ -59,7 +59,7 @@ Approach approach$Shape($Shape shape, vec3 apex, vec3 direction, float end, floa
     return nearest;
 }
 
-void hide$Shape(int index, Beam beam, LightCone cone, inout Shade shade) {
+void hide$Shape(int index, ShadowQuery query, LightCone cone, inout Shade shade) {
     $Shape shape = load$Shape(k$ShapeBase + index * k$ShapeTexels);
     float slope = cone.slope * kPartSlope;
     float area = 0.0;

@@ -16,49 +16,49 @@
 #include "accel/cone.glsl"
 #endif
 
-LightCone coneTo(Beam beam) {
-    mat2x3 frame = frameAbout(beam.ray.direction);
+LightCone coneTo(ShadowQuery query) {
+    mat2x3 frame = frameAbout(query.ray.direction);
     // Turned, so that no row runs along what is upright or level.
     vec3 first = 0.8 * frame[0] + 0.6 * frame[1];
     vec3 second = 0.8 * frame[1] - 0.6 * frame[0];
-    float slope = max(discSlope(beam.distance, beam.lightRadius), max(beam.pixelRadius / beam.distance, 1e-5));
-    return LightCone(beam.ray.origin, mat3(first, second, beam.ray.direction), slope, beam.distance);
+    float slope = max(discSlope(query.distance, query.lightRadius), max(query.pixelRadius / query.distance, 1e-5));
+    return LightCone(query.ray.origin, mat3(first, second, query.ray.direction), slope, query.distance);
 }
 
 #if MARCHED_CASTERS
 #include "shadow/sdf_cover.glsl"
 #endif
 #if ESTIMATED_CASTERS
-#include "shadow/parts.glsl"
+#include "shadow/sphere_parts.glsl"
 #include "shadow/ray_cover.glsl"
 #endif
 #for Shape in CASTERS
 #if $SHAPE_CONVEX
 // From inside of a body: the whole disc, if the light is not in there, too.
-void hideAll$Shape(int index, Beam beam, inout Shade shade) {
-    float t = beam.distance;
-    if (meets$Shape(index, beam.ray, t)) shade.largest = kPi;
+void hideAll$Shape(int index, ShadowQuery query, inout Shade shade) {
+    float t = query.distance;
+    if (meets$Shape(index, query.ray, t)) shade.largest = kPi;
 }
 
-void hide$Shape(int index, Beam beam, LightCone cone, inout Shade shade) {
+void hide$Shape(int index, ShadowQuery query, LightCone cone, inout Shade shade) {
     $Shape shape = load$Shape(k$ShapeBase + index * k$ShapeTexels);
     Cover cover = cover$Shape(shape, cone);
     bool inside = cover.area < 0.0;
-    for (int i = 0; i < (inside ? 1 : 0); ++i) hideAll$Shape(index, beam, shade);
+    for (int i = 0; i < (inside ? 1 : 0); ++i) hideAll$Shape(index, query, shade);
     for (int i = 0; i < (cover.area > 0.0 ? 1 : 0); ++i) unite(shade, cover);
 }
 #elif !$SHAPE_SOLID
-void hide$Shape(int index, Beam beam, LightCone cone, inout Shade shade) {
-    bool own = beam.ray.self == k$ShapeFirst + index;
+void hide$Shape(int index, ShadowQuery query, LightCone cone, inout Shade shade) {
+    bool own = query.ray.self == k$ShapeFirst + index;
     $Shape shape = load$Shape(k$ShapeBase + index * k$ShapeTexels);
-    if (own && beam.ray.side < 0.0) shade.largest = kPi;
-    else unite$Shape(shape, cone, beam.normal, own, beam.ray.tMin, shade);
+    if (own && query.ray.side < 0.0) shade.largest = kPi;
+    else unite$Shape(shape, cone, query.normal, own, query.ray.tMin, shade);
 }
 #endif
 #if $SHAPE_BOUNDED && $SHAPE_SEARCH == HIERARCHY
-const int kSieved$Shape = k$ShapeLoose;
+const int kMasked$Shape = k$ShapeLoose;
 #elif $SHAPE_BOUNDED
-const int kSieved$Shape = k$ShapeCasters;
+const int kMasked$Shape = k$ShapeCasters;
 #endif
 #if $SHAPE_BOUNDED
 // Covers are asked of what the cone does not pass by, and of nothing else. A ray that leaves its own convex body never comes
@@ -77,18 +77,18 @@ uint in$Shape(int first, int end, int self, LightCone cone) {
 #endif
 #endfor
 
-float visibility(Beam beam) {
-    LightCone cone = coneTo(beam);
+float visibility(ShadowQuery query) {
+    LightCone cone = coneTo(query);
     Shade shade = Shade(0.0, 0.0, Points(uvec4(0u), uvec4(0u)), 0.0);
-    if (beam.ray.self >= 0) {
-        vec3 normal = beam.normal * cone.axes;
+    if (query.ray.self >= 0) {
+        vec3 normal = query.normal * cone.axes;
         unite(shade, halfDisc(-cone.slope * normal.xy, normal.z));
     }
 #for Shape in CASTERS
 #if $SHAPE_CONVEX
-    int self$Shape = beam.ray.self - k$ShapeFirst;
-    bool within$Shape = beam.ray.side < 0.0 && self$Shape >= 0 && self$Shape < k$ShapeCasters;
-    for (int i = 0; i < (within$Shape ? 1 : 0); ++i) hideAll$Shape(self$Shape, beam, shade);
+    int self$Shape = query.ray.self - k$ShapeFirst;
+    bool within$Shape = query.ray.side < 0.0 && self$Shape >= 0 && self$Shape < k$ShapeCasters;
+    for (int i = 0; i < (within$Shape ? 1 : 0); ++i) hideAll$Shape(self$Shape, query, shade);
 #else
     int self$Shape = -1;
 #endif
@@ -96,28 +96,28 @@ float visibility(Beam beam) {
 #if $SHAPE_SEARCH == HIERARCHY
     int node$Shape = 0;
     for (int i = k$ShapeLoose; i <= k$ShapeCount; ++i) {
-        int index = k$ShapeLoose + nextInCone(k$ShapeGrid, k$ShapeNodes, cone, node$Shape);
+        int index = k$ShapeLoose + nextInCone(k$ShapeQuantisation, k$ShapeNodes, cone, node$Shape);
         if (index < k$ShapeLoose) break;
-        if (index < k$ShapeCasters && counts$Shape(index, self$Shape, cone)) hide$Shape(index, beam, cone, shade);
+        if (index < k$ShapeCasters && counts$Shape(index, self$Shape, cone)) hide$Shape(index, query, cone, shade);
     }
 #endif
-#if $SHAPE_BLOCK
-    bool passed$Shape = blockPassed(k$ShapeBlock, vec3(k$ShapeBlockX, k$ShapeBlockY, k$ShapeBlockZ), cone);
+#if $SHAPE_LATTICE
+    bool passed$Shape = latticePassed(k$ShapeLattice, vec3(k$ShapeLatticeX, k$ShapeLatticeY, k$ShapeLatticeZ), cone);
     int first$Shape = passed$Shape ? k$ShapeLoose : 0;
 #else
     const int first$Shape = 0;
 #endif
-    for (int first = first$Shape; first < kSieved$Shape; first += 32) {
-        uint sieve = in$Shape(first, kSieved$Shape, self$Shape, cone);
+    for (int first = first$Shape; first < kMasked$Shape; first += 32) {
+        uint sieve = in$Shape(first, kMasked$Shape, self$Shape, cone);
         for (int i = 0; i < 32 && sieve != 0u; ++i) {
             int index = lowestBit(sieve);
             sieve &= sieve - 1u;
-            hide$Shape(first + index, beam, cone, shade);
+            hide$Shape(first + index, query, cone, shade);
         }
     }
 #else
     for (int i = 0; i < k$ShapeCasters; ++i)
-        if (i != self$Shape) hide$Shape(i, beam, cone, shade);
+        if (i != self$Shape) hide$Shape(i, query, cone, shade);
 #endif
 #endfor
     return bareShare(shade);

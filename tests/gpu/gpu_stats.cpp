@@ -6,7 +6,7 @@
 // Mesa's RADV compiles for any family that RADV_FORCE_FAMILY names, without a device;
 // VK_KHR_pipeline_executable_properties says what came out. A family ending in /32 takes waves of 32 for pixels, as
 // radeonsi does for shaders without inputs.
-#include "tracer/lab/results.h"
+#include "lab/results/results.h"
 
 #include <vulkan/vulkan.h>
 

@@ -4,7 +4,7 @@
 /// drawn by Mesa's llvmpipe; another processor's vector width may round the last bit of a ray otherwise and flip a
 /// mirror's edge. `scripts/test image --accept` writes the references anew; look at them before committing.
 
-#include "native/image_file.h"
+#include "native/file/image_file.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
 

@@ -4,11 +4,11 @@
 /// Not so by luck: a walk loses no hit that a shape's own rounding may find (shaders/accel/hierarchy.glsl), and of
 /// objects at one distance both ways meet the one with the lowest number.
 
-#include "tests/oracle/fan.h"
+#include "lab/reference/exact/fan.h"
 #include "tests/support/clouds.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
-#include "tracer/shader/features.h"
+#include "tracer/plan/features.h"
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ void aim(Drawing& drawing, const Shot& shot) {
 
 bool searches(const Scene& scene, Accel accel) {
     for (const KindCount& kind : featuresOf(scene, sized(accel, Aov::Color, 1), {}).shapes)
-        if (kind.search != Search::Loop || kind.blockMembers() > 0) return true;
+        if (kind.search != Search::Loop || kind.latticeMembers() > 0) return true;
     return false;
 }
 
@@ -121,7 +121,7 @@ INSTANTIATE_TEST_SUITE_P(
 // ---- Blocks
 
 /// A lattice of equal objects about the origin, a step of 1 apart, each written by `objectAt`, and a few loose ones.
-Scene rack(glm::ivec3 cells, const std::function<std::string(glm::dvec3)>& objectAt) {
+Scene latticeScene(glm::ivec3 cells, const std::function<std::string(glm::dvec3)>& objectAt) {
     std::string objects = R"({"sphere": {"center": [0.3, 3, 0.2], "radius": 0.4}, "material": "glass"},
                              {"sphere": {"center": [-3, 0.5, 3], "radius": 0.6}, "material": "mirror"},
                              {"plane": {"point": [0, -4, 0], "normal": [0, 1, 0]}, "material": "dull"})";
@@ -141,7 +141,7 @@ std::string textOf(glm::dvec3 v) {
 }
 
 /// From outside, along the lattice, from within, from far away, and grazing its faces.
-std::vector<Shot> shotsOfRack() {
+std::vector<Shot> shotsOfLattice() {
     return {{{6, 4, 7}, {0, 0, 0}},
             {{0, 0, 9}, {0, 0, 0}},
             {{0.5, 0.5, 0.5}, {3, 2, 1}, 0, 90},
@@ -150,27 +150,27 @@ std::vector<Shot> shotsOfRack() {
             {{-5, 2.001, 2.2}, {5, 2, -1.9}, 0, 20}};
 }
 
-int blockOf(const Scene& scene) {
+int latticeOf(const Scene& scene) {
     int members = 0;
-    for (const KindCount& kind : featuresOf(scene, {}, {}).shapes) members += kind.blockMembers();
+    for (const KindCount& kind : featuresOf(scene, {}, {}).shapes) members += kind.latticeMembers();
     return members;
 }
 
-TEST(Rack, OfSpheresLooksTheSameWalkedCellByCell) {
-    const Scene scene = rack({6, 4, 5}, [](glm::dvec3 at) {
+TEST(Lattice, OfSpheresLooksTheSameWalkedCellByCell) {
+    const Scene scene = latticeScene({6, 4, 5}, [](glm::dvec3 at) {
         return R"({"sphere": {"center": )" + textOf(at) + R"(, "radius": 0.47}, "material": "mirror"})";
     });
-    EXPECT_EQ(blockOf(scene), 120);
-    expectAlike(scene, shotsOfRack(), 60);
+    EXPECT_EQ(latticeOf(scene), 120);
+    expectAlike(scene, shotsOfLattice(), 60);
     expectAlike(moved(scene, {1000.5, -2000.25, 4000}), {{{1006.5, -1996.25, 4007}, {1000.5, -2000.25, 4000}}}, 30);
 }
 
-TEST(Rack, OfBoxesInOneLayerLooksTheSameWalkedCellByCell) {
-    const Scene scene = rack({9, 1, 9}, [](glm::dvec3 at) {
+TEST(Lattice, OfBoxesInOneLayerLooksTheSameWalkedCellByCell) {
+    const Scene scene = latticeScene({9, 1, 9}, [](glm::dvec3 at) {
         return R"({"box": {"center": )" + textOf(at) + R"(, "half_size": [0.48, 0.1, 0.3]}, "material": "glass"})";
     });
-    EXPECT_EQ(blockOf(scene), 81);
-    expectAlike(scene, shotsOfRack(), 40);
+    EXPECT_EQ(latticeOf(scene), 81);
+    expectAlike(scene, shotsOfLattice(), 40);
 }
 
 // ---- Clouds
@@ -262,7 +262,7 @@ bool hasCells(const Scene& scene) {
     GlslTarget processor;
     processor.processor = true;
     const Features features = featuresOf(scene, sized(Accel::Auto, Aov::Color, 1), processor);
-    return features.shapes[0].search == Search::Cells;
+    return features.shapes[0].search == Search::Grid;
 }
 
 TEST(Cells, LeaveACloudThatMovesAsItIs) {
@@ -300,11 +300,11 @@ void expectShadowsAlike(const Scene& scene, ShadowModel model, int values) {
     EXPECT_GT(alike(scene, shots, Aov::Visibility, 1, settings), values);
 }
 
-TEST(Distances, OfARackAreTheSameFromTheNearestCell) {
-    const Scene scene = rack({6, 4, 5}, [](glm::dvec3 at) {
+TEST(Distances, OfALatticeAreTheSameFromTheNearestCell) {
+    const Scene scene = latticeScene({6, 4, 5}, [](glm::dvec3 at) {
         return R"({"sphere": {"center": )" + textOf(at) + R"(, "radius": 0.43}, "material": "dull"})";
     });
-    EXPECT_EQ(blockOf(scene), 120);
+    EXPECT_EQ(latticeOf(scene), 120);
     for (const ShadowModel model : {ShadowModel::ConeLinear, ShadowModel::Quilez})
         expectShadowsAlike(scene, model, 900);
 }

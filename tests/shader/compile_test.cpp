@@ -5,7 +5,7 @@
 #include "tests/support/scenes.h"
 #include "tracer/gl/objects.h"
 #include "tracer/shader/library.h"
-#include "tracer/shader/parts.h"
+#include "tracer/software/uncommon_features.h"
 #include "tracer/shader/shader_builder.h"
 
 #include <gtest/gtest.h>
@@ -51,10 +51,10 @@ std::vector<Variant> variants(const std::string& sceneName) {
             settings.aov = Aov::Color;
             if (data == DataPath::Block) {
                 for (const ShadowRow& row : kShadowModels)
-                    for (const Direction direction : {Direction::FromSurface, Direction::FromLight}) {
+                    for (const ConeOrigin coneOrigin : {ConeOrigin::Surface, ConeOrigin::Light}) {
                         settings.shadows = row.model;
-                        settings.direction = direction;
-                        add(std::string(row.key) + (direction == Direction::FromSurface ? " a" : " b"));
+                        settings.coneOrigin = coneOrigin;
+                        add(std::string(row.key) + (coneOrigin == ConeOrigin::Surface ? " surface" : " light"));
                     }
                 for (const March march : {March::Steps, March::Sphere, March::Cone, March::Relaxed}) {
                     settings.march = march;
@@ -72,7 +72,7 @@ std::vector<Variant> variants(const std::string& sceneName) {
     for (const bool es300 : {true, false}) {
         const Features features = featuresOf(scene, {}, {.es300 = es300, .processor = true, .swiftShader = true});
         all.push_back({sceneName + " for SwiftShader", features});
-        all.push_back({sceneName + " for SwiftShader, usual", usualOf(features)});
+        all.push_back({sceneName + " for SwiftShader, usual", baseOf(features)});
         all.push_back({sceneName + " for SwiftShader, sky", features, "pass/sky.frag"});
     }
     return all;

@@ -1,4 +1,4 @@
-/// What exactness costs: the library's intersectors against the textbook ones of tests/naive, on llvmpipe.
+/// What exactness costs: the library's intersectors against the textbook ones of tests/textbook, on llvmpipe.
 ///
 /// Ours and the textbook's run in turn; time is the CPU time of the process with all its threads, which the GL in
 /// software runs in, so that what else the machine does weighs little. A program keeps the luck of where the GL put
@@ -7,11 +7,11 @@
 /// only costs. Rays go from a distance to points spread evenly in the bounding sphere, in no order: the eight rays that
 /// llvmpipe takes in lock step have nothing to do with each other.
 
-#include "tests/naive/naive.h"
+#include "lab/reference/textbook/textbook.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
 #include "tracer/clock.h"
-#include "tracer/lab/ray_batch.h"
+#include "lab/batch/ray_batch.h"
 
 #include <gtest/gtest.h>
 
@@ -115,7 +115,7 @@ Ratio intersectCost(const Body& body, double distance) {
         EXPECT_TRUE(made->valid()) << toString(problems);
         return [=, &rays] { return made->valid() ? made->seconds(rays, repeats, processSeconds) : 0; };
     };
-    const Ratio ratio = ratioOf([&] { return Pair{batch({}), batch(naiveShaders())}; });
+    const Ratio ratio = ratioOf([&] { return Pair{batch({}), batch(textbookShaders())}; });
     char what[64];
     std::snprintf(what, sizeof what, "%s from %g units", body.name, distance);
     print(what, ratio, 1e9 / (double(count) * repeats), "ns a ray");
@@ -135,7 +135,7 @@ TEST_P(Cost, StaysWithinItsBoundOfTheTextbooks) {
 TEST_P(Cost, ComparesWithATextbookThatAgreesFromThreeUnits) {
     offscreen();
     Problems problems;
-    RayBatch ours(sceneOf(GetParam()), problems), textbook(sceneOf(GetParam()), problems, naiveShaders());
+    RayBatch ours(sceneOf(GetParam()), problems), textbook(sceneOf(GetParam()), problems, textbookShaders());
     ASSERT_TRUE(ours.valid() && textbook.valid()) << toString(problems);
     const std::vector<BatchRay> rays = raysInto(GetParam(), 3, 100000);
     const std::vector<BatchHit> a = ours.trace(rays), b = textbook.trace(rays);
@@ -180,7 +180,7 @@ TEST(RayBatch, TimesEveryRepeatOfEveryRay) {
 TEST(CostOfTheTorus, IsNotPaidForNothing) {
     offscreen();
     Problems problems;
-    RayBatch ours(sceneOf(kTorus), problems), textbook(sceneOf(kTorus), problems, naiveShaders());
+    RayBatch ours(sceneOf(kTorus), problems), textbook(sceneOf(kTorus), problems, textbookShaders());
     ASSERT_TRUE(ours.valid() && textbook.valid()) << toString(problems);
     for (const double distance : {3.0, 10.0, 30.0, 100.0}) {
         const std::vector<BatchRay> rays = raysInto(kTorus, distance, 100000);
@@ -198,8 +198,8 @@ TEST(CostOfTheTorus, IsNotPaidForNothing) {
 // The whole frame of the scene `torus`, shadows and reflections and all.
 TEST(CostOfTheTorus, IsLittleOfAFrame) {
     offscreen();
-    const auto torus = std::ranges::find(naiveShaders(), std::string_view("primitive/torus.glsl"), &ShaderFile::name);
-    ASSERT_NE(torus, naiveShaders().end());
+    const auto torus = std::ranges::find(textbookShaders(), std::string_view("primitive/torus.glsl"), &ShaderFile::name);
+    ASSERT_NE(torus, textbookShaders().end());
     Settings settings;
     settings.size = {320, 240};
     const Scene scene = sceneNamed("torus");

@@ -3,15 +3,15 @@
 ///
 /// A rounding is 2^-23 of the point's distance from the shape's middle and of the shape's size. A gradient may be off
 /// by so many roundings of its own and by what as many of the point turn it; where it turns by more than 1/20 within 8
-/// of them, as about an edge and on a medial axis, only its length is judged. GNOMON_RAYS says how many points a shape
+/// of them, as about an edge and on a medial axis, only its length is compared. GNOMON_RAYS says how many points a shape
 /// gets: 200 000 by default.
 
-#include "tests/oracle/scene_hit.h"
-#include "tests/oracle/subjects.h"
+#include "lab/reference/exact/scene_hit.h"
+#include "lab/intersect/subjects.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
-#include "tracer/accel/layout.h"
-#include "tracer/lab/distance_batch.h"
+#include "tracer/plan/layout.h"
+#include "lab/batch/distance_batch.h"
 
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ Bounds boundsOf(ShapeKind kind) {
     case ShapeKind::Triangle: return {2.5L, 3};
     case ShapeKind::Cylinder: return {2.5L};
     case ShapeKind::Cone: return {3};
-    case ShapeKind::Globe:
+    case ShapeKind::LargeSphere:
     case ShapeKind::Mandelbulb: // an estimate: tests/shader/solid_test.cpp, as all solids
     case ShapeKind::Solid: break;
     }
@@ -270,7 +270,7 @@ const Mutant kMutants[] = {
     {"torusWithoutAHeight", "torusquarter", "primitive/torus.glsl", "beyond * outward + along * torus.axis;",
      "beyond * outward;"},
     {"boxWithoutAnInside", "boxfat", "primitive/box.glsl", "away + depth)", "away)"},
-    {"boxOfOneOctant", "boxfat", "primitive/box.glsl", "side * awayFrom", "awayFrom"},
+    {"boxOfOneOctant", "boxfat", "primitive/box.glsl", "side * safeDirection", "safeDirection"},
     {"cylinderOfOneEnd", "cylinderfat", "primitive/cylinder.glsl", "top * nearest.y", "nearest.y"},
     {"capsuleWithoutEnds", "capsulefat", "primitive/capsule.glsl", "-axis.halfLength, axis.halfLength)", "-1e9, 1e9)"},
     {"coneWithoutABase", "conefat", "primitive/cone.glsl", "inside ? max(above, -fromRim.y) : away",
@@ -323,15 +323,15 @@ struct Ground {
     }
 };
 
-class GlobeDistance : public testing::TestWithParam<double> {};
+class LargeSphereDistance : public testing::TestWithParam<double> {};
 
 /// Errors in units of 2^-23 D (1 + D / 2r), D being the distance from the anchor, and of the gradient in roundings of
 /// the way from the anchor to the point over that from the centre.
-TEST_P(GlobeDistance, IsTheOraclesNearItsAnchorAndFarFromIt) {
+TEST_P(LargeSphereDistance, IsTheOraclesNearItsAnchorAndFarFromIt) {
     offscreen();
     const Ground ground(GetParam());
     const Scene scene = ground.scene();
-    ASSERT_EQ(drawnKinds(scene)[0], ShapeKind::Globe);
+    ASSERT_EQ(drawnKinds(scene)[0], ShapeKind::LargeSphere);
     ASSERT_EQ(originOf(scene), glm::dvec3(0));
     Problems problems;
     DistanceBatch batch(scene, problems);
@@ -373,14 +373,14 @@ TEST_P(GlobeDistance, IsTheOraclesNearItsAnchorAndFarFromIt) {
                 "most; gradient "
                 "%.2Lf and its length %.2Lf roundings\n",
                 GetParam(), points.size(), distance, near, gradient, unitLength);
-    const Bounds bounds = boundsOf(ShapeKind::Globe);
+    const Bounds bounds = boundsOf(ShapeKind::LargeSphere);
     EXPECT_LE(distance, bounds.distance);
     EXPECT_LE(near, 10 * bounds.distance * kRounding);
     EXPECT_LE(gradient, bounds.gradient);
     EXPECT_LE(unitLength, kLength);
 }
 
-INSTANTIATE_TEST_SUITE_P(Radii, GlobeDistance, testing::Values(1e3, 1e4, 9e5));
+INSTANTIATE_TEST_SUITE_P(Radii, LargeSphereDistance, testing::Values(1e3, 1e4, 9e5));
 
 // Of all objects the nearest, and of those that cast shadows: every shape twice, in a cloud.
 TEST(SceneDistance, IsThatOfTheNearestObjectOfEveryKind) {

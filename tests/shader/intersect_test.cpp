@@ -1,12 +1,12 @@
 /// Every shape's intersector on the GPU against the exact answer: hits and misses, t, surface point and normal, for all
 /// classes of rays from 3 to 100 000 sizes away.
 ///
-/// Bounds are those that the shapes' files state (tests/oracle/judge.cpp holds them). GNOMON_RAYS says how many rays a
+/// Bounds are those that the shapes' files state (lab/intersect/compare_hit.cpp holds them). GNOMON_RAYS says how many rays a
 /// shape gets: 200 000 by default, `scripts/test shader --long` asks for 10 million.
 
-#include "tests/oracle/fan.h"
-#include "tests/oracle/judge.h"
-#include "tests/oracle/subjects.h"
+#include "lab/reference/exact/fan.h"
+#include "lab/intersect/compare_hit.h"
+#include "lab/intersect/subjects.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
 #include "tracer/gl/gl.h"
@@ -82,7 +82,7 @@ TEST_P(Intersect, AnswersLikeTheOracleFromThreeToAHundredThousandSizes) {
                 std::vector<BatchRay> rays(std::size_t(std::min<std::int64_t>(each - done, 200000)));
                 for (BatchRay& ray : rays) ray = stream.next();
                 const std::vector<BatchHit> answers = batch.trace(rays);
-                const Tally tally = judgeAll(shape, rays, answers);
+                const Tally tally = compareHits(shape, rays, answers);
                 std::printf(
                     "%-9s %-8s %-8s %6.0f: %6ld rays, %6ld decided, %6ld hit, %ld missed, %ld invented, %ld elsewhere; "
                     "t %.2f ray %.2f ulp, point %.2f, normal %.2f, margin %.2f\n",
@@ -121,7 +121,7 @@ TEST_P(Intersect, TakesDirectionsOfAnyLength) {
             ray = stream.next();
             ray.direction *= length;
         }
-        const Tally tally = judgeAll(shape, rays, batch.trace(rays));
+        const Tally tally = compareHits(shape, rays, batch.trace(rays));
         EXPECT_EQ(tally.wrong(), 0) << length;
         EXPECT_LE(tally.point.worst, bounds.point) << length;
         EXPECT_LE(tally.normal.worst, bounds.normal) << length;
@@ -204,7 +204,7 @@ const Mutant kMutants[] = {
     {"boxLeavesAtTheNearSide", "boxfat", RayClass::Inside, 3, "primitive/box.glsl", "largestAxis(-leave)",
      "largestAxis(leave)"},
     {"torusWithoutTheLowHalf", "torusquarter", RayClass::Grazing, 10000, "ray/split.glsl",
-     "    vec3 low = opaque(direction - high);", "    vec3 low = vec3(0.0);"},
+     "    vec3 low = optimisationBarrier(direction - high);", "    vec3 low = vec3(0.0);"},
     {"cylinderByTheTextbooksDiscriminant", "cylinderthin", RayClass::Grazing, 3, "primitive/convex.glsl",
      "    float discriminant = a * (radius - l) * (radius + l);",
      "    float discriminant = b * b - a * (away * away - radius * radius);"},
@@ -232,7 +232,7 @@ TEST_P(IntersectMutant, TurnsTheJudgeRed) {
     Problems problems;
     RayBatch sound(sceneOf({shape}), problems), mutated(sceneOf({shape}), problems, overrides);
     ASSERT_TRUE(sound.valid() && mutated.valid()) << toString(problems);
-    const Tally good = judgeAll(shape, rays, sound.trace(rays)), bad = judgeAll(shape, rays, mutated.trace(rays));
+    const Tally good = compareHits(shape, rays, sound.trace(rays)), bad = compareHits(shape, rays, mutated.trace(rays));
     for (const Tally* tally : {&good, &bad})
         std::printf("%s%s: %ld wrong of %ld, ray %.2f ulp, point %.2f, normal %.2f, margin %.2f\n", mutant.name,
                     tally == &good ? ", sound" : "", tally->wrong(), tally->decided, tally->ray.worst,

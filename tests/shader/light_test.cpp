@@ -1,6 +1,6 @@
 /// What light does in the ray tree: shadows, textures, reflection and refraction, each in a scene made for it.
 
-#include "native/asset_folder.h"
+#include "native/file/asset_folder.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
 

@@ -1,6 +1,6 @@
 /// Outputs of the shader, read back as float32 and held against the oracle, pixel by pixel.
 
-#include "tests/oracle/scene_hit.h"
+#include "lab/reference/exact/scene_hit.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
 
@@ -222,10 +222,10 @@ TEST(Outputs, ReadTheSameFromABlockAndFromATexture) {
     EXPECT_EQ(block.pixels, texture.pixels);
 }
 
-// What the processor reads ahead (shaders/ray/ahead.glsl) spares it work and changes nothing.
+// What the processor reads ahead (shaders/software/preloads.glsl) spares it work and changes nothing.
 TEST(Outputs, AreTheSameWithNothingReadAhead) {
     offscreen();
-    const ShaderFile nothing[] = {{"ray/ahead.glsl", "vec4 readAhead() { return vec4(0.0); }"}};
+    const ShaderFile nothing[] = {{"software/preloads.glsl", "vec4 preload() { return vec4(0.0); }"}};
     for (const char* name : {"lite", "pro", "torus", "solids"}) {
         const Scene scene = sceneNamed(name);
         Drawing ahead(scene, small(1)), plain(scene, small(1), nothing);

@@ -1,4 +1,4 @@
-/// Whole pictures of hard scenes, pixel by pixel against the oracle's (tests/oracle/picture.h).
+/// Whole pictures of hard scenes, pixel by pixel against the oracle's (lab/reference/exact/picture.h).
 ///
 /// The claim is always: no isolated pixel. Each pixel lies within what the oracle sees over that pixel and its eight
 /// neighbours, four samples a side in each and both brinks of the edges between them, give or take kTolerance. A ray's
@@ -6,8 +6,8 @@
 /// pixel there): an edge may fall beside the true one by that much, but there is no speck where there is no edge.
 /// GNOMON_PICTURES=FOLDER keeps both pictures of each test.
 
-#include "native/image_file.h"
-#include "tests/oracle/picture.h"
+#include "native/file/image_file.h"
+#include "lab/reference/exact/picture.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
 
@@ -416,12 +416,12 @@ Scene stillLifeOn(ShapeKind kind, glm::dvec4 first, glm::dvec4 second) {
     scene.objects[0].shape = {kind, {first, second, glm::dvec4(0)}};
     return scene;
 }
-Scene stillLifeOnAGlobe() { return stillLifeOn(ShapeKind::Sphere, {0, -10000, 0, 10000}, {0, 0, 0, 0}); }
+Scene stillLifeOnALargeSphere() { return stillLifeOn(ShapeKind::Sphere, {0, -10000, 0, 10000}, {0, 0, 0, 0}); }
 /// Slanted; it passes through the middle of the floor that it replaces.
 Scene stillLifeOnAPlane() { return stillLifeOn(ShapeKind::Plane, {0, 0, 0, 0}, {0.28, 0.96, 0, 0}); }
 
 const Variant kVariants[] = {
-    {"plain", plainStillLife}, {"shiny", shinyStillLife}, {"globe", stillLifeOnAGlobe}, {"plane", stillLifeOnAPlane}};
+    {"plain", plainStillLife}, {"shiny", shinyStillLife}, {"large_sphere", stillLifeOnALargeSphere}, {"plane", stillLifeOnAPlane}};
 /// The last is no multiple of any grid, and leaves the scene far from the grid's points.
 constexpr glm::dvec3 kPlaces[] = {{1e5, -1e5, 1e5}, {1e6, 0, 0}, {-123456.7, 98765.4, 999999.1}};
 

@@ -2,7 +2,7 @@
 /// and what must be the same from both ends of the cone.
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
-#include "tracer/lab/light_batch.h"
+#include "lab/batch/light_batch.h"
 #include "tracer/render/renderer.h"
 
 #include <gtest/gtest.h>
@@ -29,11 +29,11 @@ double slopeOf(double radius) {
     return sine / std::sqrt(1 - sine * sine);
 }
 
-Settings settingsFor(ShadowModel model, double epsilon = 1.0 / 256, Direction direction = Direction::FromSurface) {
+Settings settingsFor(ShadowModel model, double epsilon = 1.0 / 256, ConeOrigin coneOrigin = ConeOrigin::Surface) {
     Settings settings;
     settings.shadows = model;
     settings.epsilon = epsilon;
-    settings.direction = direction;
+    settings.coneOrigin = coneOrigin;
     settings.shadowSteps = 4000;
     return settings;
 }
@@ -60,7 +60,7 @@ std::vector<double> sharesOf(const std::string& objects, const Settings& setting
 std::vector<double> answersOf(const std::string& expression, const std::vector<double>& xs) {
     const std::string text =
         "// Test\n#include \"shadow/cone.glsl\"\n#include \"shadow/share_inverse.glsl\"\n"
-        "float visibility(Beam beam) { float x = beam.lightRadius; ShadowCone cone = coneOf(beam); return " +
+        "float visibility(ShadowQuery query) { float x = query.lightRadius; ShadowCone cone = coneOf(query); return " +
         expression + "; }\n";
     const ShaderFile file{"shadow/cone_base.glsl", text};
     std::vector<BatchLit> lit;
@@ -96,7 +96,7 @@ TEST(TangentCone, TouchesBothSpheres) {
 constexpr ShadowModel kCones[] = {ShadowModel::ConeBase, ShadowModel::ConeLinear, ShadowModel::ConeDiscrete,
                                   ShadowModel::ConeConvex};
 
-class Cones : public testing::TestWithParam<std::tuple<ShadowModel, Direction>> {
+class Cones : public testing::TestWithParam<std::tuple<ShadowModel, ConeOrigin>> {
   protected:
     ShadowModel model_ = std::get<0>(GetParam());
     Settings settings(double epsilon = 1.0 / 256) { return settingsFor(model_, epsilon, std::get<1>(GetParam())); }
@@ -202,11 +202,11 @@ TEST_P(Cones, EndAHardShadowWithinAPixel) {
 
 INSTANTIATE_TEST_SUITE_P(All, Cones,
                          testing::Combine(testing::ValuesIn(kCones),
-                                          testing::Values(Direction::FromSurface, Direction::FromLight)),
+                                          testing::Values(ConeOrigin::Surface, ConeOrigin::Light)),
                          [](const auto& test) {
                              std::string name(shadowRow(std::get<0>(test.param)).key);
                              std::replace(name.begin(), name.end(), '-', '_');
-                             return name + (std::get<1>(test.param) == Direction::FromSurface ? "_A" : "_B");
+                             return name + (std::get<1>(test.param) == ConeOrigin::Surface ? "_A" : "_B");
                          });
 
 constexpr const char* kBodies = R"({"sphere": {"center": [0.3, 0.2, 2.5], "radius": 0.6}},
@@ -234,7 +234,7 @@ TEST(Directions, FindTheSameShare) {
             for (const double epsilon : {1.0 / 30, 1.0 / 128}) {
                 const auto lit = everywhere(radius);
                 const auto a = sharesOf(kBodies, settingsFor(model, epsilon), lit);
-                const auto b = sharesOf(kBodies, settingsFor(model, epsilon, Direction::FromLight), lit);
+                const auto b = sharesOf(kBodies, settingsFor(model, epsilon, ConeOrigin::Light), lit);
                 for (std::size_t i = 0; i < a.size(); ++i)
                     ASSERT_NEAR(a[i], b[i], 1.1 * epsilon + 1e-3) << shadowRow(model).key << " radius " << radius
                                                                   << " at " << lit[i].point.x << " " << lit[i].point.y;
@@ -339,7 +339,7 @@ TEST_P(MonteCarlo, SeesHalfOfALightOnTheHorizon) {
 /// Some GLs end all loops of a pixel early: as many samples at once as a user may ask for must not be fewer.
 TEST_P(MonteCarlo, TakesAsManySamplesAsAsked) {
     offscreen();
-    const int stretch = shadowRow(GetParam()).stretch, all = 32 * stretch, part = stretch / 4;
+    const int stretch = shadowRow(GetParam()).batch, all = 32 * stretch, part = stretch / 4;
     Settings settings = this->settings(part);
     settings.size = {24, 18};
     settings.depth = 1;
@@ -363,7 +363,7 @@ TEST_P(MonteCarlo, TakesAsManySamplesAsAsked) {
 std::vector<ShadowModel> samplingModels() {
     std::vector<ShadowModel> models;
     for (const ShadowRow& row : kShadowModels)
-        if (row.stretch > 0) models.push_back(row.model);
+        if (row.batch > 0) models.push_back(row.model);
     return models;
 }
 

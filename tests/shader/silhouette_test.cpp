@@ -2,12 +2,12 @@
 /// there are some, else many rays of the oracle. Receivers look up along z at a light 6 away; a length over slope *
 /// height is one in units of the disc.
 
-#include "tests/oracle/exact_hit.h"
-#include "tests/oracle/subjects.h"
+#include "lab/reference/exact/exact_hit.h"
+#include "lab/intersect/subjects.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
-#include "tracer/accel/layout.h"
-#include "tracer/lab/light_batch.h"
+#include "tracer/plan/layout.h"
+#include "lab/batch/light_batch.h"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 /// different things it is wrong; inside of glass it follows no partial reflections; its rays start 1e-3 off every
 /// surface.
 
-#include "tests/naive/naive.h"
-#include "tests/naive/source_scene.h"
+#include "lab/reference/textbook/textbook.h"
+#include "lab/reference/textbook/source_scene.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
 #include "tracer/gl/objects.h"

@@ -1,6 +1,6 @@
 #include "tests/support/offscreen.h"
 
-#include "native/asset_folder.h"
+#include "native/file/asset_folder.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 /// A GL context for a test, and pictures and outputs of scenes drawn in it.
 #pragma once
 
-#include "native/context.h"
+#include "native/context/context.h"
 #include "tracer/image.h"
 #include "tracer/render/renderer.h"
 

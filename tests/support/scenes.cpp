@@ -1,6 +1,6 @@
 #include "tests/support/scenes.h"
 
-#include "native/asset_folder.h"
+#include "native/file/asset_folder.h"
 #include "tracer/scene/read_scene.h"
 
 #include <gtest/gtest.h>

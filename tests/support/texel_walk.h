@@ -14,11 +14,11 @@ struct Visits {
     double boxes = 0, primitives = 0;
 };
 
-struct GridRay {
+struct QuantisedRay {
     glm::vec3 beforeLow, beforeHigh, perCell;
 };
 
-inline GridRay gridRay(std::span<const glm::vec4> grid, const Ray& ray) {
+inline QuantisedRay quantisedRay(std::span<const glm::vec4> grid, const Ray& ray) {
     const glm::vec3 cells(grid[1]);
     const glm::vec3 away = ray.origin - glm::vec3(grid[0]), size = glm::abs(away);
     const glm::vec3 room = 9.5e-7f * (std::max(size.x, std::max(size.y, size.z)) + grid[0].w) * cells;
@@ -29,7 +29,7 @@ inline GridRay gridRay(std::span<const glm::vec4> grid, const Ray& ray) {
     return {origin + room, origin - room, 1.0f / direction};
 }
 
-inline bool meets(const GridRay& ray, glm::vec4 box, float t) {
+inline bool meets(const QuantisedRay& ray, glm::vec4 box, float t) {
     const glm::vec3 both(box), high = glm::floor(both * (1.0f / 4096.0f));
     const glm::vec3 toLow = (both - 4096.0f * high - ray.beforeLow) * ray.perCell;
     const glm::vec3 toHigh = (high - ray.beforeHigh) * ray.perCell;
@@ -39,7 +39,7 @@ inline bool meets(const GridRay& ray, glm::vec4 box, float t) {
            std::min(std::min(leave.x, leave.y), std::min(leave.z, glm::floatBitsToInt(t)));
 }
 
-inline int nextLeaf(const GridRay& ray, std::span<const glm::vec4> nodes, float t, int& node, Visits& visits) {
+inline int nextLeaf(const QuantisedRay& ray, std::span<const glm::vec4> nodes, float t, int& node, Visits& visits) {
     while (node < int(nodes.size())) {
         const glm::vec4 box = nodes[std::size_t(node)];
         ++visits.boxes;
@@ -55,8 +55,8 @@ template<typename Ask>
 Visits walkTexels(std::span<const glm::vec4> texels, const Ray& ray, const double& t, Ask ask) {
     Visits visits;
     if (texels.empty()) return visits;
-    const GridRay gridded = gridRay(texels, ray);
-    const auto nodes = texels.subspan(kGridTexels);
+    const QuantisedRay gridded = quantisedRay(texels, ray);
+    const auto nodes = texels.subspan(kQuantisationTexels);
     for (int node = 0, leaf; (leaf = nextLeaf(gridded, nodes, float(t), node, visits)) >= 0;) {
         ++visits.primitives;
         ask(leaf);

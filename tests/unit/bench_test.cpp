@@ -1,6 +1,6 @@
 /// What `gnomon bench` draws and shows: every combination of values once, each row beside its baseline.
-#include "tracer/lab/bench_series.h"
-#include "tracer/lab/bench_tables.h"
+#include "lab/bench/bench_series.h"
+#include "lab/bench/bench_tables.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // Boxes of shapes against their exact distances: they hold every point of the surface, and not much more.
 #include "tracer/accel/bounds.h"
 
-#include "tests/oracle/subjects.h"
+#include "lab/intersect/subjects.h"
 
 #include <gtest/gtest.h>
 
@@ -117,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, BoundsOfShape,
 TEST(Bounds, AreNoneOfWhatHasNoEnd) {
     EXPECT_FALSE(boundsOf({ShapeKind::Plane, {glm::dvec4(0), glm::dvec4(0, 1, 0, 0), glm::dvec4(0)}}));
     const Shape sphere{ShapeKind::Sphere, {glm::dvec4(0, -1e4, 0, 1e4), glm::dvec4(0), glm::dvec4(0)}};
-    EXPECT_FALSE(boundsOf(drawnAs(ShapeKind::Globe, sphere, {0, 1, 0})));
+    EXPECT_FALSE(boundsOf(drawnAs(ShapeKind::LargeSphere, sphere, {0, 1, 0})));
 }
 
 TEST(Bounds, EmptyOnesAddNothing) {

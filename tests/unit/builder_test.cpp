@@ -75,23 +75,23 @@ TEST(ShaderBuilder, WalksHierarchiesOnlyWhereTheyPayOrAreAskedFor) {
     EXPECT_FALSE(mentions(source(row(200), always), "planeGrid")) << "what has no end is asked by all rays";
 }
 
-TEST(ShaderBuilder, SievesAFewObjects) {
+TEST(ShaderBuilder, MasksAFewObjectsByTheirSpheres) {
     EXPECT_TRUE(mentions(source(row(6)), "ballSphere(loadSphere(kSphereBase + (kSphereLoose + 5)"));
     EXPECT_FALSE(mentions(source(row(6)), "(kSphereLoose + 6)"));
     EXPECT_FALSE(mentions(source(row(1)), "kSphereLoose")) << "one is asked at once";
     EXPECT_FALSE(mentions(source(row(200)), "ballSphere(loadSphere(kSphereBase + (kSphereLoose"));
 }
 
-TEST(ShaderBuilder, WalksRegularBlocksCellByCell) {
+TEST(ShaderBuilder, WalksLatticesCellByCell) {
     Settings none, always;
     none.accel = Accel::None;
     always.accel = Accel::Hierarchy;
-    EXPECT_TRUE(mentions(source(row(200, 0)), "kSphereBlockX = 200"));
+    EXPECT_TRUE(mentions(source(row(200, 0)), "kSphereLatticeX = 200"));
     EXPECT_FALSE(mentions(source(row(200, 0)), "nextLeaf"));
-    EXPECT_FALSE(mentions(source(row(200)), "BlockX")) << "uneven";
-    EXPECT_FALSE(mentions(source(row(200, 0), none), "BlockX"));
-    EXPECT_FALSE(mentions(source(row(200, 0), always), "BlockX"));
-    EXPECT_TRUE(mentions(source(sceneNamed("pro")), "kSphereBlockZ = 10"));
+    EXPECT_FALSE(mentions(source(row(200)), "LatticeX")) << "uneven";
+    EXPECT_FALSE(mentions(source(row(200, 0), none), "LatticeX"));
+    EXPECT_FALSE(mentions(source(row(200, 0), always), "LatticeX"));
+    EXPECT_TRUE(mentions(source(sceneNamed("pro")), "kSphereLatticeZ = 10"));
 }
 
 TEST(ShaderBuilder, GivesTheSameSourceWhenOnlyNumbersChange) {
@@ -241,10 +241,10 @@ Search searchOf(int spheres, DataPath data, const GlslTarget& target) {
 
 TEST(Features, ChooseCellsWhereNumbersLieInATexture) {
     EXPECT_EQ(searchOf(200, DataPath::Auto, {}), Search::Hierarchy) << "a block holds them";
-    EXPECT_EQ(searchOf(200, DataPath::Texture, {}), Search::Cells);
-    EXPECT_EQ(searchOf(2000, DataPath::Auto, {}), Search::Cells) << "no block does";
+    EXPECT_EQ(searchOf(200, DataPath::Texture, {}), Search::Grid);
+    EXPECT_EQ(searchOf(2000, DataPath::Auto, {}), Search::Grid) << "no block does";
     EXPECT_EQ(searchOf(2000, DataPath::Block, {}), Search::Hierarchy);
-    EXPECT_EQ(searchOf(200, DataPath::Auto, {.processor = true}), Search::Cells);
+    EXPECT_EQ(searchOf(200, DataPath::Auto, {.processor = true}), Search::Grid);
 }
 
 } // namespace

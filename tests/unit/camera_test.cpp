@@ -1,5 +1,5 @@
 // The first-person camera: poses come back, the world stays upright, the scene follows the pointer.
-#include "tracer/render/camera.h"
+#include "tracer/plan/camera.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 /// Two runs against each other: medians, noise, rows that belong together, and files that are none.
-#include "tracer/lab/compare.h"
-#include "tracer/lab/quartiles.h"
-#include "tracer/lab/read_results.h"
+#include "lab/results/compare.h"
+#include "lab/results/quartiles.h"
+#include "lab/results/read_results.h"
 
 #include <gtest/gtest.h>
 

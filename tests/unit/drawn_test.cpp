@@ -1,7 +1,7 @@
 // What shapes are drawn as, and when anew: which spheres are huge, what moves, and that a globe's float32 numbers mean
 // the scene's sphere.
 #include "tests/support/scenes.h"
-#include "tracer/render/scene_data.h"
+#include "tracer/plan/scene_packer.h"
 #include "tracer/shader/shader_builder.h"
 
 #include <gtest/gtest.h>
@@ -43,39 +43,39 @@ std::string sourceOf(const Scene& scene) {
     return text;
 }
 
-TEST(Drawn, IsAGlobeWhereThingsOnASphereAreOverAHundredTimesSmaller) {
+TEST(Drawn, IsALargeSphereWhereThingsOnASphereAreOverAHundredTimesSmaller) {
     EXPECT_EQ(first(onSphere(49, 10, kBall)), ShapeKind::Sphere);
-    EXPECT_EQ(first(onSphere(51, 10, kBall)), ShapeKind::Globe);
+    EXPECT_EQ(first(onSphere(51, 10, kBall)), ShapeKind::LargeSphere);
     EXPECT_EQ(drawnKinds(onSphere(51, 10, kBall))[1], ShapeKind::Sphere) << "the ball on it";
 }
 
-TEST(Drawn, IsAGlobeWhereTheSceneIsSeenFromLessThanAHundredthAboveOrBelowASphere) {
+TEST(Drawn, IsALargeSphereWhereTheSceneIsSeenFromLessThanAHundredthAboveOrBelowASphere) {
     EXPECT_EQ(first(onSphere(1000, 11, kFloor)), ShapeKind::Sphere) << "a plane has no size";
-    EXPECT_EQ(first(onSphere(1000, 9, kFloor)), ShapeKind::Globe);
-    EXPECT_EQ(first(onSphere(1000, -9, kFloor)), ShapeKind::Globe);
+    EXPECT_EQ(first(onSphere(1000, 9, kFloor)), ShapeKind::LargeSphere);
+    EXPECT_EQ(first(onSphere(1000, -9, kFloor)), ShapeKind::LargeSphere);
 }
 
 TEST(Drawn, DoesNotDependOnTheScenesUnit) {
     for (double by : {1e-4, 1e4}) {
-        EXPECT_EQ(first(scaled(onSphere(51, 10, kBall), by)), ShapeKind::Globe);
+        EXPECT_EQ(first(scaled(onSphere(51, 10, kBall), by)), ShapeKind::LargeSphere);
         EXPECT_EQ(first(scaled(onSphere(49, 10, kBall), by)), ShapeKind::Sphere);
     }
 }
 
-TEST(Drawn, IsNoGlobeInTheScenesThatComeWithTheProgram) {
+TEST(Drawn, IsNoLargeSphereInTheScenesThatComeWithTheProgram) {
     for (const char* name : {"lite", "pro", "torus", "shapes"}) {
         const Scene scene = sceneNamed(name);
         for (std::size_t i = 0; i < scene.objects.size(); ++i)
             EXPECT_EQ(drawnKinds(scene)[i], scene.objects[i].shape.kind) << name;
-        EXPECT_EQ(sourceOf(scene).find("lobe"), std::string::npos) << name;
+        EXPECT_EQ(sourceOf(scene).find("LargeSphere"), std::string::npos) << name;
     }
 }
 
-TEST(Drawn, BringsTheCodeOfGlobesOnlyWhereThereIsOne) {
+TEST(Drawn, BringsTheCodeOfLargeSpheresOnlyWhereThereIsOne) {
     EXPECT_NE(sourceOf(onSphere(51, 10, kFloor)).find("intersectSphere"), std::string::npos);
-    EXPECT_EQ(sourceOf(onSphere(51, 10, kFloor)).find("Globe"), std::string::npos);
-    EXPECT_NE(sourceOf(onSphere(5100, 10, kFloor)).find("intersectGlobe"), std::string::npos);
-    EXPECT_EQ(sourceOf(onSphere(5100, 10, kFloor)).find("Sphere"), std::string::npos) << "no sphere is left";
+    EXPECT_EQ(sourceOf(onSphere(51, 10, kFloor)).find("LargeSphere"), std::string::npos);
+    EXPECT_NE(sourceOf(onSphere(5100, 10, kFloor)).find("intersectLargeSphere"), std::string::npos);
+    EXPECT_EQ(sourceOf(onSphere(5100, 10, kFloor)).find(" intersectSphere"), std::string::npos) << "no sphere is left";
 }
 
 TEST(Drawn, DoesNotChangeWithTime) {
@@ -90,7 +90,7 @@ TEST(Drawn, DoesNotChangeWithTime) {
     EXPECT_NEAR(later[1].y, 1e5 - 51 - 51, 0.01) << "its lowest point, now over the eye";
 }
 
-TEST(Drawn, LeavesTheGlowOfAGlobeAtItsCentre) {
+TEST(Drawn, LeavesTheGlowOfALargeSphereAtItsCentre) {
     Scene scene = onSphere(5100, 10, kFloor);
     scene.objects[0].glow = Glow{};
     const Features features = featuresOf(scene, {}, {});
@@ -109,14 +109,14 @@ double above(const Shape& globe, glm::dvec3 p) {
 
 // Which sphere is drawn: the scene's own, off by the rounding of normal and curvature, which grows with the distance D
 // from the anchor: sqrt(3) 2^-25 D + 2^-25 D^2 / 2r, within 2^-23 D anywhere on the sphere.
-TEST(Globe, MeansTheScenesSphereWithinTheRoundingOfItsNormal) {
+TEST(LargeSphere, MeansTheScenesSphereWithinTheRoundingOfItsNormal) {
     for (const double radius : {1.0, 1e3, 1e4, 1e6}) {
         const glm::dvec3 up = glm::normalize(glm::dvec3(0.3123, 0.8765, -0.4321));
         const glm::dvec3 along = glm::normalize(glm::cross(up, glm::dvec3(0, 0, 1)));
         const glm::dvec3 center = glm::dvec3(0.1234567, -0.2345678, 0.3456789) - radius * up;
         const Shape sphere{ShapeKind::Sphere, {glm::dvec4(center, radius), glm::dvec4(0), glm::dvec4(0)}};
-        const Shape globe = drawnAs(ShapeKind::Globe, sphere, center + (radius + 1) * up);
-        EXPECT_EQ(globe.kind, ShapeKind::Globe);
+        const Shape globe = drawnAs(ShapeKind::LargeSphere, sphere, center + (radius + 1) * up);
+        EXPECT_EQ(globe.kind, ShapeKind::LargeSphere);
         const glm::dvec3 anchor(globe.texels[0]);
         EXPECT_NEAR(glm::distance(anchor, center + radius * up), 0, 1e-7);
         for (double angle : {0.0, 1e-6, 1e-4, 1e-2, 0.5, 1.5, 3.0}) {
@@ -128,9 +128,9 @@ TEST(Globe, MeansTheScenesSphereWithinTheRoundingOfItsNormal) {
     }
 }
 
-TEST(Globe, HasAnAnchorAlsoForAnEyeAtItsCentre) {
+TEST(LargeSphere, HasAnAnchorAlsoForAnEyeAtItsCentre) {
     const Shape sphere{ShapeKind::Sphere, {glm::dvec4(1, 2, 3, 10), glm::dvec4(0), glm::dvec4(0)}};
-    const Shape globe = drawnAs(ShapeKind::Globe, sphere, {1, 2, 3});
+    const Shape globe = drawnAs(ShapeKind::LargeSphere, sphere, {1, 2, 3});
     EXPECT_EQ(glm::dvec3(globe.texels[0]), glm::dvec3(1, 12, 3));
     EXPECT_EQ(glm::dvec3(globe.texels[1]), glm::dvec3(0, 1, 0));
 }

@@ -2,8 +2,8 @@
 // does; where the nearer child of each ray comes first they read the tree, to see what a walk could save at most.
 #include "tracer/accel/hierarchy.h"
 
-#include "tests/oracle/exact_hit.h"
-#include "tests/oracle/scene_hit.h"
+#include "lab/reference/exact/exact_hit.h"
+#include "lab/reference/exact/scene_hit.h"
 #include "tests/support/scenes.h"
 #include "tests/support/texel_walk.h"
 
@@ -201,7 +201,7 @@ TEST(Hierarchy, OfNothingHasNoNode) {
     const Hierarchy none = build({});
     EXPECT_TRUE(none.nodes.empty());
     EXPECT_EQ(none.cost(), 0);
-    EXPECT_EQ(none.leaves(), 0);
+    EXPECT_EQ(none.fallsBack(), 0);
     EXPECT_EQ(none.spoilt(), 1);
 }
 
@@ -212,7 +212,7 @@ TEST(Hierarchy, ManagesBoxesWithoutArea) {
     for (const auto& bounds : {points, line}) {
         const Hierarchy h = build(bounds);
         EXPECT_EQ(afterAllBelow(h, 0), int(h.nodes.size()));
-        EXPECT_TRUE(std::isfinite(h.cost()) && std::isfinite(h.leaves()) && std::isfinite(h.spoilt()));
+        EXPECT_TRUE(std::isfinite(h.cost()) && std::isfinite(h.fallsBack()) && std::isfinite(h.spoilt()));
     }
 }
 
@@ -284,7 +284,7 @@ Ray lineThrough(Dice& dice, const Bounds& box) {
     }
 }
 
-// What cost() and leaves() foretell is what lines that meet the root's box and stop at nothing count. 2 % is four
+// What cost() and fallsBack() foretell is what lines that meet the root's box and stop at nothing count. 2 % is four
 // standard deviations of these counts.
 TEST_P(HierarchyOf, CostsWhatRandomLinesCount) {
     const Tree tree(bounds, {0, 0, 0});
@@ -298,7 +298,7 @@ TEST_P(HierarchyOf, CostsWhatRandomLinesCount) {
         sum.primitives += visits.primitives;
     }
     EXPECT_NEAR(sum.boxes / lines, hierarchy.cost(), 0.02 * hierarchy.cost());
-    EXPECT_NEAR(sum.primitives / lines, hierarchy.leaves(), 0.02 * hierarchy.leaves());
+    EXPECT_NEAR(sum.primitives / lines, hierarchy.fallsBack(), 0.02 * hierarchy.fallsBack());
 }
 
 std::vector<std::string> namesOfSets() {

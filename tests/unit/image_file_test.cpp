@@ -1,5 +1,5 @@
 // Picture files: numbers come back exactly, pictures as the screen shows them, and a failed write leaves nothing.
-#include "native/image_file.h"
+#include "native/file/image_file.h"
 
 #include <gtest/gtest.h>
 #include <tinyexr.h>

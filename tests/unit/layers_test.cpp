@@ -1,6 +1,6 @@
 #include "tests/support/scenes.h"
 #include "tracer/layers.h"
-#include "tracer/render/album.h"
+#include "tracer/plan/texture_set.h"
 
 #include <gtest/gtest.h>
 
@@ -110,7 +110,7 @@ TEST(Painted, TakesTheMasksRedAsAlphaAndWhiteForWhatIsMissing) {
     EXPECT_EQ(larger.height, 4);
 }
 
-TEST(Album, HoldsEveryPaintAndEveryNormalMapOnce) {
+TEST(TextureSet, HoldsEveryPaintAndEveryNormalMapOnce) {
     const Scene scene = sceneFrom(R"({"camera": {"eye": [0, 0, 5], "target": [0, 0, 0]},
         "materials": {
             "a": {"texture": "grid", "normal_map": "moon-normal"},
@@ -119,21 +119,21 @@ TEST(Album, HoldsEveryPaintAndEveryNormalMapOnce) {
             "d": {"coat": {"ior": 1.3, "mask": "earth-water"}},
             "e": {}},
         "objects": [{"sphere": {"center": [0, 0, 0], "radius": 1}, "material": "a"}]})");
-    const Album album = albumOf(scene);
-    EXPECT_EQ(album.paints, (std::vector<Paint>{{"grid", ""}, {"grid", "earth-water"}, {"", "earth-water"}}));
-    EXPECT_EQ(album.normals, std::vector<std::string>{"moon-normal"});
+    const TextureSet textureSet = textureSetOf(scene);
+    EXPECT_EQ(textureSet.paints, (std::vector<Paint>{{"grid", ""}, {"grid", "earth-water"}, {"", "earth-water"}}));
+    EXPECT_EQ(textureSet.normals, std::vector<std::string>{"moon-normal"});
     const auto material = [&](const std::string& name) {
         for (const Material& m : scene.materials)
             if (m.name == name) return m;
         return Material{};
     };
-    EXPECT_EQ(album.paintOf(material("c")), 0);
-    EXPECT_EQ(album.paintOf(material("d")), 2);
-    EXPECT_EQ(album.paintOf(material("e")), -1);
-    EXPECT_EQ(album.normalOf(material("c")), 0);
-    EXPECT_EQ(album.normalOf(material("b")), -1);
-    EXPECT_TRUE(album.shows("earth-water"));
-    EXPECT_FALSE(album.shows("sun"));
+    EXPECT_EQ(textureSet.paintOf(material("c")), 0);
+    EXPECT_EQ(textureSet.paintOf(material("d")), 2);
+    EXPECT_EQ(textureSet.paintOf(material("e")), -1);
+    EXPECT_EQ(textureSet.normalOf(material("c")), 0);
+    EXPECT_EQ(textureSet.normalOf(material("b")), -1);
+    EXPECT_TRUE(textureSet.shows("earth-water"));
+    EXPECT_FALSE(textureSet.shows("sun"));
 }
 
 } // namespace

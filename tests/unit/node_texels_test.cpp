@@ -73,7 +73,7 @@ struct Read {
 
 std::vector<Read> readNodes(std::span<const glm::vec4> texels) {
     std::vector<Read> nodes;
-    for (const glm::vec4 texel : texels.subspan(kGridTexels)) {
+    for (const glm::vec4 texel : texels.subspan(kQuantisationTexels)) {
         const glm::dvec3 both(texel), high = glm::floor(both / 4096.0);
         const int link = int(texel.w), next = int(nodes.size()) + 1;
         nodes.push_back({both - 4096.0 * high, high, link < 0 ? next : link, link < 0 ? -1 - link : -1});
@@ -103,13 +103,13 @@ TEST_P(NodeTexels, AreWholeNumbersOfTheGrid) {
     const glm::vec3 side = root.high - root.low;
     EXPECT_EQ(texels[0], glm::vec4(root.low, std::max({side.x, side.y, side.z, 1e-18f})));
     for (int i = 0; i < 3; ++i) EXPECT_TRUE(texels[1][i] > 0 && std::isfinite(texels[1][i]));
-    for (const glm::vec4 texel : std::span(texels).subspan(kGridTexels))
+    for (const glm::vec4 texel : std::span(texels).subspan(kQuantisationTexels))
         EXPECT_EQ(texel, glm::floor(texel)) << "as all numbers below 2^24 may be";
     for (const Read& node : readNodes(texels))
         for (int i = 0; i < 3; ++i) {
             EXPECT_GE(node.low[i], 0);
             EXPECT_LT(node.low[i], node.high[i]);
-            EXPECT_LE(node.high[i], kGridCells);
+            EXPECT_LE(node.high[i], kQuantisationSteps);
         }
 }
 
@@ -188,7 +188,7 @@ TEST(NodeTexels, OfNothingAreNone) {
 }
 
 TEST(NodeTexels, OfOneAreTheGridAndALeaf) {
-    EXPECT_EQ(hierarchyTexels(1), kGridTexels + 1);
+    EXPECT_EQ(hierarchyTexels(1), kQuantisationTexels + 1);
     const auto texels = texelsOf(build(Boxes{boxAt({1, 2, 3}, {1, 1, 1})}), {});
     EXPECT_EQ(texels.back().w, -1);
 }

@@ -2,8 +2,8 @@
 /// along a ray leave open is far below what it judges. And the judge against answers that are right, and wrong in one
 /// thing.
 
-#include "tests/oracle/judge.h"
-#include "tests/oracle/subjects.h"
+#include "lab/intersect/compare_hit.h"
+#include "lab/intersect/subjects.h"
 
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <gtest/gtest.h>
@@ -103,28 +103,28 @@ class Judge : public testing::TestWithParam<Subject> {
         std::vector<BatchHit> worse = answers;
         for (std::size_t i = 0; i < worse.size(); ++i)
             if (worse[i].object == 0) spoil(worse[i], rays[i]);
-        return judgeAll(shape, rays, worse);
+        return compareHits(shape, rays, worse);
     }
 };
 
 TEST_P(Judge, PassesExactAnswers) {
-    const Tally tally = judgeAll(shape, rays, answers);
+    const Tally tally = compareHits(shape, rays, answers);
     EXPECT_TRUE(within(tally, boundsOf(shape.kind)))
         << tally.wrong() << ' ' << tally.ray.worst << ' ' << tally.point.worst << ' ' << tally.normal.worst;
     EXPECT_GT(tally.hits, 100);
 }
 
 TEST_P(Judge, TellsMissedAndInventedHits) {
-    const std::int64_t hits = judgeAll(shape, rays, answers).hits;
+    const std::int64_t hits = compareHits(shape, rays, answers).hits;
     EXPECT_EQ(spoilt([](BatchHit& hit, const BatchRay&) { hit.object = -1; }).missed, hits);
     std::vector<BatchHit> all = answers;
     for (BatchHit& hit : all) hit.object = 0;
-    const Tally tally = judgeAll(shape, rays, all);
+    const Tally tally = compareHits(shape, rays, all);
     EXPECT_EQ(tally.invented, tally.decided - hits);
 }
 
 TEST_P(Judge, TellsAPointOfAnotherPlaceOfTheSurface) {
-    const std::int64_t hits = judgeAll(shape, rays, answers).hits;
+    const std::int64_t hits = compareHits(shape, rays, answers).hits;
     const BatchHit other =
         *std::find_if(answers.begin(), answers.end(), [](const auto& hit) { return hit.object == 0; });
     const Tally tally = spoilt([&](BatchHit& hit, const BatchRay&) {
@@ -137,7 +137,7 @@ TEST_P(Judge, TellsAPointOfAnotherPlaceOfTheSurface) {
 
 TEST_P(Judge, TellsTheFarSideOfAClosedBody) {
     if (!body.closed()) return; // it has none
-    const std::int64_t hits = judgeAll(shape, rays, answers).hits;
+    const std::int64_t hits = compareHits(shape, rays, answers).hits;
     const Tally tally = spoilt([&](BatchHit& hit, const BatchRay& ray) {
         const Line<double> line = lineOf(body, ray.origin, ray.direction);
         const ExactHit<double> exact = exactHit(body, line), far = exactHit(body, line, exact.s - line.start + 1e-5);
@@ -147,7 +147,7 @@ TEST_P(Judge, TellsTheFarSideOfAClosedBody) {
 }
 
 TEST_P(Judge, TellsWhatIsNoNumberAndWhatIsNoObject) {
-    const std::int64_t hits = judgeAll(shape, rays, answers).hits;
+    const std::int64_t hits = compareHits(shape, rays, answers).hits;
     const float nan = std::numeric_limits<float>::quiet_NaN();
     EXPECT_GE(spoilt([&](BatchHit& hit, const BatchRay&) { hit.t = nan; }).elsewhere, hits);
     EXPECT_GE(spoilt([&](BatchHit& hit, const BatchRay&) { hit.point.y = nan; }).elsewhere, hits);

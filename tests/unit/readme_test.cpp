@@ -1,4 +1,4 @@
-#include "tracer/render/settings.h"
+#include "tracer/settings/settings.h"
 
 #include <gtest/gtest.h>
 

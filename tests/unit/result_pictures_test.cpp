@@ -1,5 +1,5 @@
 /// Pictures within results: small enough for a file, shown as a window shows them, and back again as they went in.
-#include "native/result_pictures.h"
+#include "lab/results/result_pictures.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 /// Results as JSON: what goes in comes out, and what JSON cannot say is said in words.
 
-#include "tracer/lab/results.h"
+#include "lab/results/results.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

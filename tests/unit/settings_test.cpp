@@ -1,5 +1,5 @@
 // The settings table: every face of a setting comes from its row, so every row must read what it writes.
-#include "tracer/render/settings.h"
+#include "tracer/settings/settings.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

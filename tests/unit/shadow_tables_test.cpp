@@ -1,5 +1,5 @@
 /// What the laboratory of shadows makes of its measurements.
-#include "native/shadow_tables.h"
+#include "lab/shadows/shadow_tables.h"
 
 #include <gtest/gtest.h>
 
@@ -42,12 +42,12 @@ TEST(ShadowTables, HoldEveryWayAndItsRivals) {
     const ShadowWay linear{ShadowModel::ConeLinear};
     ShadowCosts costs{
         "simple", 0.5, {1, 1, 1}, {cost(linear, 4, 0.04, 40), cost({ShadowModel::Silhouette}, 2, 0.01, 0)}, {}};
-    costs.ways.push_back(cost({ShadowModel::Montecarlo, Direction::FromSurface, 1.0 / 30, 1}, 1.5, 0.2, 0));
-    costs.ways.push_back(cost({ShadowModel::Montecarlo, Direction::FromSurface, 1.0 / 30, 16}, 3.9, 0.05, 0));
-    costs.ways.push_back(cost({ShadowModel::Montecarlo, Direction::FromSurface, 1.0 / 30, 64}, 12, 0.02, 0));
-    costs.ways.push_back(cost({ShadowModel::MontecarloMarch, Direction::FromSurface, 1.0 / 30, 16}, 20, 0.06, 160));
-    costs.ways.push_back(cost({ShadowModel::MontecarloMarch, Direction::FromSurface, 1.0 / 30, 4}, 6, 0.12, 38));
-    costs.ways.push_back(cost({ShadowModel::MontecarloMarch, Direction::FromSurface, 1.0 / 30, 2}, 4.5, 0.2, 20));
+    costs.ways.push_back(cost({ShadowModel::Montecarlo, ConeOrigin::Surface, 1.0 / 30, 1}, 1.5, 0.2, 0));
+    costs.ways.push_back(cost({ShadowModel::Montecarlo, ConeOrigin::Surface, 1.0 / 30, 16}, 3.9, 0.05, 0));
+    costs.ways.push_back(cost({ShadowModel::Montecarlo, ConeOrigin::Surface, 1.0 / 30, 64}, 12, 0.02, 0));
+    costs.ways.push_back(cost({ShadowModel::MontecarloMarch, ConeOrigin::Surface, 1.0 / 30, 16}, 20, 0.06, 160));
+    costs.ways.push_back(cost({ShadowModel::MontecarloMarch, ConeOrigin::Surface, 1.0 / 30, 4}, 6, 0.12, 38));
+    costs.ways.push_back(cost({ShadowModel::MontecarloMarch, ConeOrigin::Surface, 1.0 / 30, 2}, 4.5, 0.2, 20));
     EXPECT_EQ(shadowTable({costs}).rows.size(), 8U);
     const Table variants = variantTable({costs});
     ASSERT_EQ(variants.rows.size(), 1U);

@@ -30,7 +30,7 @@ TEST(ShapeTable, IsInTheOrderOfItsKinds) {
 
 TEST(ShapeTable, OffersEveryKindButThoseThatAreOnlyDrawn) {
     EXPECT_EQ(shapeTable().size(), std::size_t(kShapeKinds) - 2);
-    for (const ShapeRow& row : shapeTable()) EXPECT_LT(row.kind, ShapeKind::Globe);
+    for (const ShapeRow& row : shapeTable()) EXPECT_LT(row.kind, ShapeKind::LargeSphere);
 }
 
 TEST(ShapeTable, NamesEachShapeOnce) {

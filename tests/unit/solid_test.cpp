@@ -1,8 +1,8 @@
 /// Solids as data: where they end, what their form is, what of them becomes source and what stays a number.
-#include "tests/oracle/solid.h"
+#include "lab/reference/exact/solid.h"
 #include "tests/support/scenes.h"
 #include "tests/support/solids.h"
-#include "tracer/render/scene_data.h"
+#include "tracer/plan/scene_packer.h"
 #include "tracer/scene/read_scene.h"
 #include "tracer/shader/shader_builder.h"
 #include "tracer/shader/solid_source.h"

@@ -1,8 +1,8 @@
 /// The scenes that `gnomon lab trace` measures growth with: what is said of them holds for every number of spheres.
-#include "native/sphere_scenes.h"
+#include "lab/trace/sphere_scenes.h"
 
-#include "tracer/accel/layout.h"
-#include "tracer/render/camera.h"
+#include "tracer/plan/layout.h"
+#include "tracer/plan/camera.h"
 
 #include <gtest/gtest.h>
 
@@ -64,11 +64,11 @@ TEST(SphereScenes, AreTheSameForTheSameSeedOnly) {
 }
 
 // All of a lattice is one block, nothing of the others is.
-TEST(SphereScenes, MakeABlockOnlyWhereTheyAreRegular) {
+TEST(SphereScenes, MakeALatticeOnlyWhereTheyAreRegular) {
     const auto blocks = [](Arrangement arrangement) {
         const auto layout = layoutOf(sphereScene(arrangement, 100));
         EXPECT_EQ(layout.size(), 1U);
-        return layout[0].blockMembers();
+        return layout[0].latticeMembers();
     };
     EXPECT_EQ(blocks(Arrangement::Random), 0);
     EXPECT_EQ(blocks(Arrangement::Clustered), 0);

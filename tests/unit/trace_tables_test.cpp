@@ -1,5 +1,5 @@
 /// What `gnomon lab trace` makes of its measurements: ratios round by round, growth, and the verdict on a choice.
-#include "native/trace_tables.h"
+#include "lab/trace/trace_tables.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-// The page against the source document's way of tracing (tests/naive/source), in one browser and run. By itself it prints how many
+// The page against the source document's way of tracing (tests/textbook/source), in one browser and run. By itself it prints how many
 // times as fast the page draws:
 //
 //   node tests/web/against_source.mjs [--browser=chromium] [--scene=pro] [--size=800x600] [--data=block] [--rounds=3]

@@ -20,8 +20,8 @@ const raysAt = (shape, count) => {
   return Array.from({ length: count }, (_, i) => (i % 2 ? grazingRay : uniformRay)(shape, far, number));
 };
 
-// What takes the rays for others by half an ulp of their far origin, as naive arithmetic does, must not pass.
-test('the judge sees a naive re-centring', () => {
+// What takes the rays for others by half an ulp of their far origin, as textbook arithmetic does, must not pass.
+test('the judge sees a textbook re-centring', () => {
   for (const shape of Object.values(bodies)) {
     const rays = raysAt(shape, 1000);
     const answers = rays.flatMap(({ origin, direction }) => {

@@ -4,8 +4,8 @@
 ///   ray_corpus judge FOLDER       N.answers against the oracle; exit 1 where a bound does not hold
 /// A ray is 8 float32 (origin, side, direction, tMin), an answer 8 (object, t, point, normal): as traceRays() has them.
 
-#include "tests/oracle/judge.h"
-#include "tests/oracle/subjects.h"
+#include "lab/intersect/compare_hit.h"
+#include "lab/intersect/subjects.h"
 #include "tracer/scene/read_scene.h"
 
 #include <cmath>
@@ -125,7 +125,7 @@ bool judgeSet(const Set& set, const Path& name) {
         answers.push_back({objectIn(n[0]), n[1], {n[2], n[3], n[4]}, {n[5], n[6], n[7]}});
     if (rays.empty() || answers.size() != rays.size())
         return std::printf("%s: %zu answers for %zu rays\n", name.c_str(), answers.size(), rays.size()), false;
-    const Tally tally = judgeAll(shape, rays, answers);
+    const Tally tally = compareHits(shape, rays, answers);
     double needed = 0; // decided
     for (const RayClass kind : set.classes)
         for (const double distance : set.distances)

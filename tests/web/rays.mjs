@@ -97,7 +97,7 @@ const ulp = (x) => 2 ** (Math.floor(Math.log2(x)) - 23);
 
 /**
  * Holds the page's answers against the truth.
- * @returns { judged, wrong, worstPoint, worstAlong }: rays beyond 2^-22 of the size from tangency, those of them that
+ * @returns { compared, wrong, worstPoint, worstAlong }: rays beyond 2^-22 of the size from tangency, those of them that
  *   missed, hit or stopped wrongly, worst distance of the surface point in 2^-23 of the size, of o + t d in ulp of t
  */
 export function judge(shape, rays, answers) {

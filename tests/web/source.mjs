@@ -1,4 +1,4 @@
-// The source document's way of tracing, for a browser: what tests/naive does for the desktop.
+// The source document's way of tracing, for a browser: what tests/textbook does for the desktop.
 //
 //   await page.evaluate((files) => window.gnomon.shaders(files), await sourceShaders());
 //   await page.evaluate((scene) => window.gnomon.load(scene), await sourceScene('pro'));
@@ -8,9 +8,9 @@ import { fileURLToPath } from 'node:url';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 
-/** Texts by the names of the library's files that they take the place of, as sourceShaders() of tests/naive/naive.h. */
+/** Texts by the names of the library's files that they take the place of, as sourceShaders() of lab/reference/textbook/textbook.h. */
 export async function sourceShaders() {
-  const folder = join(root, 'tests/naive');
+  const folder = join(root, 'tests/textbook');
   const all = (await readdir(folder, { recursive: true })).filter((name) => name.endsWith('.glsl'));
   const named = (name) => (name.startsWith('source') ? relative('source', name) : `primitive/${name}`);
   const read = async (name) => [named(name), await readFile(join(folder, name), 'utf8')];
@@ -67,7 +67,7 @@ function withoutBoxes(object) {
   return trianglesOf(box).map((vertices, i) => ({ ...rest, name: rest.name && `${rest.name}-${i}`, triangle: { vertices } }));
 }
 
-/** A scene that comes with the program, as the source modelled it: sourceScene() of tests/naive/source_scene.h. */
+/** A scene that comes with the program, as the source modelled it: sourceScene() of lab/reference/textbook/source_scene.h. */
 export async function sourceScene(name) {
   const text = await readFile(join(root, 'assets/scenes', `${name}.json`), 'utf8');
   const scene = JSON.parse(text.replace(/^\s*\/\/.*$|(?<=[\],}])\s*\/\/.*$/gm, ''));

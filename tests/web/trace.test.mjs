@@ -1,4 +1,4 @@
-// The page against the source document's way of tracing (tests/naive/source), in the same browser and run; and shader files
+// The page against the source document's way of tracing (tests/textbook/source), in the same browser and run; and shader files
 // of a script's own.
 //
 // Bound  pro and lite show nearly the source's picture (its sky is sampled otherwise): at least 98 % of the pixels within 24/255.

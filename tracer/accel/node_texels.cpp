@@ -14,7 +14,7 @@ class Grid {
         // Flat boxes get cells, too, and none so small that cells a unit overflow.
         longest_ = std::max({side.x, side.y, side.z, 1e-18f});
         for (int axis = 0; axis < 3; ++axis)
-            cellsPerUnit_[axis] = float(kGridCells - 1) / std::max(side[axis], 1e-6f * longest_);
+            cellsPerUnit_[axis] = float(kQuantisationSteps - 1) / std::max(side[axis], 1e-6f * longest_);
     }
 
     void append(std::vector<glm::vec4>& texels) const {
@@ -26,7 +26,7 @@ class Grid {
         // An eighth of a cell for the rounding of the place below.
         const glm::vec3 low = glm::floor((box.low - low_) * cellsPerUnit_ - 0.125f);
         const glm::vec3 high = glm::ceil((box.high - low_) * cellsPerUnit_ + 0.125f);
-        const glm::vec3 first = glm::max(low, 0.0f), last = glm::min(high, float(kGridCells));
+        const glm::vec3 first = glm::max(low, 0.0f), last = glm::min(high, float(kQuantisationSteps));
         return {first + 4096.0f * last, float(link)};
     }
 

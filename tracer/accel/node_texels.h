@@ -11,11 +11,11 @@
 
 namespace gnomon {
 
-inline constexpr int kGridTexels = 2;
-inline constexpr int kGridCells = 4095;
+inline constexpr int kQuantisationTexels = 2;
+inline constexpr int kQuantisationSteps = 4095;
 
 /// Texels of a hierarchy of that many primitives.
-inline int hierarchyTexels(int primitives) { return primitives > 0 ? kGridTexels + nodesFor(primitives) : 0; }
+inline int hierarchyTexels(int primitives) { return primitives > 0 ? kQuantisationTexels + nodesFor(primitives) : 0; }
 
 /// Appends them, of two children the one nearer to `eye` first: rays from there meet first what lies first.
 void appendTexels(const Hierarchy&, glm::vec3 eye, std::vector<glm::vec4>&);

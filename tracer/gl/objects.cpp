@@ -97,7 +97,7 @@ Texture makeDataTexture(int width, int height) {
     return texture;
 }
 
-Target makeTarget(int width, int height, GLenum format, bool noting) {
+Target makeTarget(int width, int height, GLenum format, bool coverage) {
     Target target;
     target.color = makeTexture(GL_TEXTURE_2D, GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE);
     if (format == GL_RGBA32F) { // not filterable everywhere
@@ -111,12 +111,12 @@ Target makeTarget(int width, int height, GLenum format, bool noting) {
     target.framebuffer = Framebuffer(framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.color.get(), 0);
-    if (noting) {
+    if (coverage) {
         target.depth = makeTexture(GL_TEXTURE_2D, GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE);
         glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT16, width, height, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT,
                      nullptr);
         glGenFramebuffers(1, &framebuffer);
-        target.noting = Framebuffer(framebuffer);
+        target.coverage = Framebuffer(framebuffer);
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.color.get(), 0);
         glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, target.depth.get(), 0);

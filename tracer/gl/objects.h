@@ -67,11 +67,11 @@ Texture makeDataTexture(int width, int height);
 /// are asked for, what is drawn into `noting` is noted in them; they can be read while the other framebuffer is bound.
 struct Target {
     Texture color, depth;
-    Framebuffer framebuffer, noting;
+    Framebuffer framebuffer, coverage;
     int width = 0, height = 0;
     GLenum format = 0;
 };
-Target makeTarget(int width, int height, GLenum format, bool noting = false);
+Target makeTarget(int width, int height, GLenum format, bool coverage = false);
 
 /// Tells when the GPU has done what it was asked for so far, without waiting.
 class Fence {

@@ -1,6 +1,6 @@
 #include "tracer/render/programs.h"
 
-#include "tracer/shader/parts.h"
+#include "tracer/software/uncommon_features.h"
 
 #include <algorithm>
 #include <span>
@@ -29,15 +29,15 @@ void drawIn(const CachedProgram& program, std::span<const Rectangle> rectangles,
 }
 
 /// What is drawn from here on is noted in the target's depths, and not drawn again.
-void beginNoting(const gl::Target& target, const Rectangle& band) {
-    glBindFramebuffer(GL_FRAMEBUFFER, target.noting.get());
+void beginCoverage(const gl::Target& target, const Rectangle& band) {
+    glBindFramebuffer(GL_FRAMEBUFFER, target.coverage.get());
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glScissor(band.x, band.y, band.width, band.height);
     glClear(GL_DEPTH_BUFFER_BIT);
 }
 
-void endNoting(const gl::Target& target) {
+void endCoverage(const gl::Target& target) {
     glDisable(GL_DEPTH_TEST);
     glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.get());
 }
@@ -57,13 +57,13 @@ void drawTiles(const CachedProgram& program, int tile, const gl::Target& target,
 } // namespace
 
 Programs::Programs(const Features& features, ProgramCache& cache, Problems& problems)
-    : features_(features), whole_(cache.get(features, problems)) {
+    : features_(features), full_(cache.get(features, problems)) {
     if (!canDraw() || !features.parted || !beginParts(cache, problems)) return;
     const auto ready = [](const auto& part) { return !part || part->state == ProgramState::Ready; };
-    parted_ = ready(sky_) && ready(usual_);
+    parted_ = ready(sky_) && ready(base_);
 }
 
-bool Programs::leaves() const { return features_.parted && anyRare(features_); }
+bool Programs::fallsBack() const { return features_.parted && anyUncommon(features_); }
 
 bool Programs::beginParts(ProgramCache& cache, Problems& problems) {
     if (!sky_) {
@@ -71,13 +71,13 @@ bool Programs::beginParts(ProgramCache& cache, Problems& problems) {
         sky.tile = 0;
         sky_ = cache.get(sky, problems, "pass/sky.frag");
     }
-    if (!usual_ && leaves()) usual_ = cache.get(usualOf(features_), problems);
-    return sky_ && (usual_ || !leaves());
+    if (!base_ && fallsBack()) base_ = cache.get(baseOf(features_), problems);
+    return sky_ && (base_ || !fallsBack());
 }
 
 ProgramState Programs::poll(ProgramCache& cache, const WarmUp& warmUp, Problems& problems) {
     const ProgramState state = cache.poll(
-        *whole_, [&] { warmUp(*whole_); }, problems);
+        *full_, [&] { warmUp(*full_); }, problems);
     if (state != ProgramState::Ready || !features_.parted) return state;
     return pollParts(cache, warmUp, problems);
 }
@@ -85,7 +85,7 @@ ProgramState Programs::poll(ProgramCache& cache, const WarmUp& warmUp, Problems&
 ProgramState Programs::pollParts(ProgramCache& cache, const WarmUp& warmUp, Problems& problems) {
     if (parted_) return ProgramState::Ready;
     if (!beginParts(cache, problems)) return ProgramState::Failed;
-    for (const auto& part : {sky_, usual_}) {
+    for (const auto& part : {sky_, base_}) {
         if (!part) continue;
         const ProgramState state = cache.poll(
             *part, [&] { warmUp(*part); }, problems);
@@ -97,7 +97,7 @@ ProgramState Programs::pollParts(ProgramCache& cache, const WarmUp& warmUp, Prob
 
 ProgramStats Programs::stats() const {
     ProgramStats sum;
-    for (const auto& program : {whole_, sky_, usual_}) {
+    for (const auto& program : {full_, sky_, base_}) {
         if (!program || program->state != ProgramState::Ready) continue;
         sum.sourceBytes += program->stats.sourceBytes;
         sum.buildMs += program->stats.buildMs;
@@ -106,23 +106,23 @@ ProgramStats Programs::stats() const {
     return sum;
 }
 
-bool Programs::notes(const CachedProgram& program) const {
-    return leaves() && (&program != whole_.get() || features_.tile == 0);
+bool Programs::marksCoverage(const CachedProgram& program) const {
+    return fallsBack() && (&program != full_.get() || features_.tile == 0);
 }
 
-void Programs::draw(const gl::Target& target, const Regions& regions, const Rectangle& band) const {
-    if (!parted_) return drawAlone(target, *whole_, band);
+void Programs::draw(const gl::Target& target, const ScreenPartition& partition, const Rectangle& band) const {
+    if (!parted_) return drawAlone(target, *full_, band);
     glEnable(GL_SCISSOR_TEST);
-    if (leaves()) beginNoting(target, band);
-    drawIn(*sky_, regions.sky, band);
-    if (usual_) drawIn(*usual_, regions.usual, band);
+    if (fallsBack()) beginCoverage(target, band);
+    drawIn(*sky_, partition.sky, band);
+    if (base_) drawIn(*base_, partition.base, band);
     if (features_.tile > 0) {
-        endNoting(target);
-        drawTiles(*whole_, features_.tile, target, band);
+        endCoverage(target);
+        drawTiles(*full_, features_.tile, target, band);
     } else {
-        drawIn(*whole_, regions.usual, band); // what is left of them
-        drawIn(*whole_, regions.rare, band);
-        if (leaves()) endNoting(target);
+        drawIn(*full_, partition.base, band); // what is left of them
+        drawIn(*full_, partition.uncommon, band);
+        if (fallsBack()) endCoverage(target);
     }
     glDisable(GL_SCISSOR_TEST);
 }
@@ -130,9 +130,9 @@ void Programs::draw(const gl::Target& target, const Regions& regions, const Rect
 // Noting also where one program draws alone: drivers compile it anew for what they test.
 void Programs::drawAlone(const gl::Target& target, const CachedProgram& program, const Rectangle& band) const {
     glEnable(GL_SCISSOR_TEST);
-    if (notes(program)) beginNoting(target, band);
+    if (marksCoverage(program)) beginCoverage(target, band);
     drawIn(program, {&band, 1}, band);
-    if (notes(program)) endNoting(target);
+    if (marksCoverage(program)) endCoverage(target);
     glDisable(GL_SCISSOR_TEST);
 }
 

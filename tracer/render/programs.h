@@ -1,9 +1,9 @@
 /// The programs that draw one picture: the whole one, and beside it those that draw what they can of it at less cost
-/// (tracer/shader/parts.h). The whole one draws alone until they are ready.
+/// (tracer/software/uncommon_features.h). The whole one draws alone until they are ready.
 #pragma once
 
 #include "tracer/render/program_cache.h"
-#include "tracer/render/regions.h"
+#include "tracer/software/screen_partition.h"
 
 #include <functional>
 #include <memory>
@@ -19,32 +19,32 @@ class Programs {
     Programs(const Features&, ProgramCache&, Problems&);
 
     /// There is something to draw with, soon or now.
-    explicit operator bool() const { return whole_ != nullptr; }
-    const CachedProgram& whole() const { return *whole_; }
+    explicit operator bool() const { return full_ != nullptr; }
+    const CachedProgram& full() const { return *full_; }
     const Features& features() const { return features_; }
-    bool canDraw() const { return whole_ && whole_->state == ProgramState::Ready; }
+    bool canDraw() const { return full_ && full_->state == ProgramState::Ready; }
     /// Smaller programs draw, too.
     bool parted() const { return parted_; }
     /// One of them leaves pixels to the whole one: targets note what is drawn.
-    bool leaves() const;
+    bool fallsBack() const;
     /// Ready when all are.
     ProgramState poll(ProgramCache&, const WarmUp&, Problems&);
     /// Source and times of all.
     ProgramStats stats() const;
 
     /// Draws `band` of the picture into the target, whose framebuffer is bound.
-    void draw(const gl::Target&, const Regions&, const Rectangle& band) const;
+    void draw(const gl::Target&, const ScreenPartition&, const Rectangle& band) const;
     /// Draws with one of them alone.
     void drawAlone(const gl::Target&, const CachedProgram&, const Rectangle& band) const;
 
   private:
     /// What it draws is noted in the target.
-    bool notes(const CachedProgram&) const;
+    bool marksCoverage(const CachedProgram&) const;
     bool beginParts(ProgramCache&, Problems&);
     ProgramState pollParts(ProgramCache&, const WarmUp&, Problems&);
 
     Features features_;
-    std::shared_ptr<CachedProgram> whole_, sky_, usual_;
+    std::shared_ptr<CachedProgram> full_, sky_, base_;
     bool parted_ = false;
 };
 

@@ -3,7 +3,7 @@
 #include "tracer/clock.h"
 #include "tracer/gl/objects.h"
 #include "tracer/render/programs.h"
-#include "tracer/render/scene_data.h"
+#include "tracer/plan/scene_packer.h"
 
 #include <algorithm>
 #include <chrono>
@@ -62,10 +62,10 @@ std::vector<std::string> facesOf(const Scene& scene) {
 
 /// Samples of a light that one draw takes where its picture is read back: llvmpipe ends all loops of a pixel after
 /// 65 536 turns in all, and other drivers take a long draw for one that hangs.
-int stretchOf(const Settings& settings) { return shadowRow(settings.shadows).stretch; }
+int batchOf(const Settings& settings) { return shadowRow(settings.shadows).batch; }
 
-bool inStretches(const Settings& settings) {
-    return stretchOf(settings) > 0 && settings.samples > stretchOf(settings) &&
+bool inBatches(const Settings& settings) {
+    return batchOf(settings) > 0 && settings.samples > batchOf(settings) &&
            (settings.aov == Aov::Color || settings.aov == Aov::Visibility);
 }
 
@@ -100,7 +100,7 @@ struct LoadedScene {
     Scene scene;
     glm::dvec3 origin{0}; ///< originOf(scene)
     ScenePacker packer;
-    Album album;
+    TextureSet textureSet;
     std::vector<std::string> faces;
     gl::Texture paints, normals, sky;
     bool stale = true; ///< images have come that the textures do not have
@@ -176,10 +176,10 @@ struct Renderer::Impl {
     void uploadImages(LoadedScene& loaded) {
         const Image none, grey = flat(128, 128, 128), level = flat(128, 128, 255), dry = flat(0, 0, 0);
         std::vector<Image> paints, normals;
-        for (const Paint& paint : loaded.album.paints)
+        for (const Paint& paint : loaded.textureSet.paints)
             paints.push_back(painted(paint.color.empty() ? none : pictureOr(grey, paint.color),
                                      paint.mask.empty() ? none : pictureOr(dry, paint.mask)));
-        for (const std::string& name : loaded.album.normals) normals.push_back(pictureOr(level, name));
+        for (const std::string& name : loaded.textureSet.normals) normals.push_back(pictureOr(level, name));
         Tiles tiles;
         loaded.paints = upload(loaded, std::move(paints), true, tiles.paints);
         loaded.normals = upload(loaded, std::move(normals), false, tiles.normals);
@@ -204,7 +204,7 @@ struct Renderer::Impl {
     }
 
     void imageArrived(LoadedScene& loaded, const std::string& name) {
-        loaded.stale |= loaded.album.shows(name);
+        loaded.stale |= loaded.textureSet.shows(name);
         const auto begin = loaded.faces.begin(), end = loaded.faces.end();
         const bool last = std::all_of(begin, end, [&](const auto& face) { return pictures.contains(face); });
         if (last && std::find(begin, end, name) != end) uploadSky(loaded);
@@ -222,8 +222,8 @@ struct Renderer::Impl {
         if (texels > most)
             refuse("the scene takes " + std::to_string(texels) + " texels, this GL holds " + std::to_string(most),
                    "use fewer objects");
-        const Album album = albumOf(scene);
-        const int layers = int(std::max(album.paints.size(), album.normals.size()));
+        const TextureSet textureSet = textureSetOf(scene);
+        const int layers = int(std::max(textureSet.paints.size(), textureSet.normals.size()));
         const int mostLayers = std::min(kMostLayers, info.maxLayers);
         if (layers > mostLayers)
             refuse("the scene shows " + std::to_string(layers) + " images, this GL holds " + std::to_string(mostLayers),
@@ -237,7 +237,7 @@ struct Renderer::Impl {
         if (!wantedScene) return;
         Features features = featuresOf(wantedScene->scene, settings, targetOf(info));
         if (programs.overridden()) { // these are of the library's own files
-            features.parted = features.held = false;
+            features.parted = features.cachedLoads = false;
             features.tile = 0;
         }
         if (const int texels = sceneTexels(features); features.dataBlock && texels > targetOf(info).blockTexels) {
@@ -329,11 +329,11 @@ struct Renderer::Impl {
     }
 
     /// Where the smaller programs draw, of what was uploaded last.
-    Regions regions(const View& view) const {
+    ScreenPartition partition(const View& view) const {
         if (!drawn.parted()) return {};
         CameraFrame camera = frameOf(view.camera);
         camera.eye = glm::dvec3(glm::vec3(camera.eye - drawnScene->origin)); // as the shader gets it
-        return regionsOf(drawnScene->packer.sights(drawn.features()), camera, view.width, view.height);
+        return partitionOf(drawnScene->packer.screenBounds(drawn.features()), camera, view.width, view.height);
     }
 
     /// Rows of the picture as the settings have it, or others of which only numbers differ.
@@ -342,7 +342,7 @@ struct Renderer::Impl {
         glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.get());
         glViewport(0, 0, view.width, view.height);
         glDisable(GL_BLEND);
-        drawn.draw(target, regions(view), {0, from, view.width, to - from});
+        drawn.draw(target, partition(view), {0, from, view.width, to - from});
     }
 
     // Pictures go into a target of our own and from there to the window, also at full scale: some drivers compile a
@@ -369,7 +369,7 @@ struct Renderer::Impl {
     }
 
     /// The lowest `rows` of a target over as much of the framebuffer as they are of the whole.
-    static void stretch(const gl::Target& from, int rows, const View& view, GLuint framebuffer) {
+    static void blit(const gl::Target& from, int rows, const View& view, GLuint framebuffer) {
         const bool same = from.width == view.width && from.height == view.height;
         glBindFramebuffer(GL_READ_FRAMEBUFFER, from.framebuffer.get());
         glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer);
@@ -381,7 +381,7 @@ struct Renderer::Impl {
     }
 
     void resize(gl::Target& target, int width, int height, GLenum format) const {
-        const bool leaves = drawn.leaves(), notes = bool(target.noting) || !leaves;
+        const bool leaves = drawn.fallsBack(), notes = bool(target.coverage) || !leaves;
         if (target.width == width && target.height == height && target.format == format && notes) return;
         target = gl::makeTarget(width, height, format, leaves);
     }
@@ -424,9 +424,9 @@ struct Renderer::Impl {
     }
 
     /// The mean of pictures that take a stretch of the samples each.
-    FloatImage readInStretches(const View& view, Problems& problems) {
+    FloatImage readInBatches(const View& view, Problems& problems) {
         const Settings& all = drawnSettings;
-        const int most = stretchOf(all);
+        const int most = batchOf(all);
         FloatImage sum;
         for (int done = 0; done < all.samples && problems.empty(); done += most) {
             Settings stretch = all;
@@ -449,7 +449,7 @@ bool Renderer::setScene(const Scene& scene, Problems& problems) {
     if (!impl_->fits(scene, problems)) return false;
     const glm::dvec3 origin = originOf(scene);
     auto loaded = std::make_shared<LoadedScene>(
-        LoadedScene{scene, origin, ScenePacker(scene, origin), albumOf(scene), facesOf(scene)});
+        LoadedScene{scene, origin, ScenePacker(scene, origin), textureSetOf(scene), facesOf(scene)});
     impl_->uploadAll(*loaded);
     impl_->wantedScene = std::move(loaded);
     impl_->choose();
@@ -502,7 +502,7 @@ bool Renderer::canDraw() const { return impl_->drawn.canDraw(); }
 void Renderer::draw(const View& view, double scale, unsigned framebuffer) {
     if (!impl_->drawn || view.width <= 0 || view.height <= 0) return;
     impl_->drawPicture(scaled(view, scale));
-    Impl::stretch(impl_->picture, impl_->picture.height, view, framebuffer);
+    Impl::blit(impl_->picture, impl_->picture.height, view, framebuffer);
 }
 
 void Renderer::drawRows(const View& view, double scale, int from, int to) {
@@ -511,10 +511,10 @@ void Renderer::drawRows(const View& view, double scale, int from, int to) {
 
 void Renderer::show(const View& view, int rows, unsigned framebuffer) {
     const gl::Target &coarse = impl_->picture, &fine = impl_->aside;
-    if (coarse.framebuffer && rows < fine.height) Impl::stretch(coarse, coarse.height, view, framebuffer);
+    if (coarse.framebuffer && rows < fine.height) Impl::blit(coarse, coarse.height, view, framebuffer);
     // An edge that is stretched takes in something of the row above it, which is not drawn yet.
     const int ready = rows < fine.height ? rows - 1 : rows;
-    if (fine.framebuffer && ready > 0) Impl::stretch(fine, ready, view, framebuffer);
+    if (fine.framebuffer && ready > 0) Impl::blit(fine, ready, view, framebuffer);
 }
 
 bool Renderer::busy() { return impl_->busy(); }
@@ -522,13 +522,13 @@ double Renderer::drawSeconds() const { return impl_->drawSeconds; }
 unsigned Renderer::version() const { return impl_->version; }
 
 FloatImage Renderer::readOutput(const View& view, Problems& problems) {
-    return inStretches(impl_->drawnSettings) ? impl_->readInStretches(view, problems)
+    return inBatches(impl_->drawnSettings) ? impl_->readInBatches(view, problems)
                                              : impl_->readOnce(view, impl_->drawnSettings, problems);
 }
 
 Image Renderer::readPicture(const View& view, Problems& problems) {
-    if (impl_->drawn && inStretches(impl_->drawnSettings) && impl_->info.floatTargets)
-        return pictureOf(impl_->readInStretches(view, problems), impl_->drawn.features().linear);
+    if (impl_->drawn && inBatches(impl_->drawnSettings) && impl_->info.floatTargets)
+        return pictureOf(impl_->readInBatches(view, problems), impl_->drawn.features().linear);
     if (!impl_->drawOutput(view, GL_RGBA8, true, impl_->drawnSettings, problems)) return {};
     const std::size_t row = std::size_t(view.width) * 4;
     std::vector<std::uint8_t> rgba(row * view.height);
@@ -544,7 +544,7 @@ ProgramStats Renderer::stats() const { return impl_->drawn.stats(); }
 
 const std::string& Renderer::source() const {
     static const std::string none;
-    return impl_->drawn ? impl_->drawn.whole().source.text : none;
+    return impl_->drawn ? impl_->drawn.full().source.text : none;
 }
 
 void Renderer::contextLost() {
@@ -566,7 +566,7 @@ void Renderer::contextLost() {
         target->color.forget();
         target->depth.forget();
         target->framebuffer.forget();
-        target->noting.forget();
+        target->coverage.forget();
         *target = {};
     }
 }

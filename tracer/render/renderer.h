@@ -7,8 +7,8 @@
 
 #include "tracer/image.h"
 #include "tracer/problem.h"
-#include "tracer/render/camera.h"
-#include "tracer/render/settings.h"
+#include "tracer/plan/camera.h"
+#include "tracer/settings/settings.h"
 #include "tracer/scene/scene.h"
 #include "tracer/shader/library.h"
 

@@ -150,7 +150,7 @@ bool Viewer::frame(double now, unsigned framebuffer, Problems& problems) {
 /// On a slow GPU one picture at a time, coarser while it moves; once it is still, the full one grows aside, band by
 /// band.
 bool Viewer::drawFrame(double now, unsigned framebuffer) {
-    if (settings_.adapt && renderer_.busy() && pace_.slow()) return false;
+    if (settings_.adapt && renderer_.busy() && adaptive_.slow()) return false;
     learn();
     const View wanted = view();
     const bool still = wanted == last_.view && renderer_.version() == last_.version;
@@ -158,7 +158,7 @@ bool Viewer::drawFrame(double now, unsigned framebuffer) {
         refine(framebuffer);
         return true;
     }
-    const double scale = settings_.adapt ? std::min(settings_.scale, pace_.scale()) : settings_.scale;
+    const double scale = settings_.adapt ? std::min(settings_.scale, adaptive_.scale()) : settings_.scale;
     renderer_.draw(wanted, scale, framebuffer);
     last_ = {wanted, renderer_.version(), scale, 0, true};
     countFrame(now);
@@ -170,15 +170,15 @@ void Viewer::learn() {
     if (!last_.unknown || renderer_.busy()) return;
     last_.unknown = false;
     if (last_.rows > 0)
-        pace_.tookBand(renderer_.drawSeconds());
-    else if (last_.scale == pace_.scale())
-        pace_.tookPicture(renderer_.drawSeconds());
+        adaptive_.tookBand(renderer_.drawSeconds());
+    else if (last_.scale == adaptive_.scale())
+        adaptive_.tookPicture(renderer_.drawSeconds());
 }
 
 void Viewer::refine(unsigned framebuffer) {
     const int height = sharpHeight();
     if (last_.rows < height) {
-        const int to = std::min(height, last_.rows + pace_.rows(height));
+        const int to = std::min(height, last_.rows + adaptive_.rows(height));
         renderer_.drawRows(last_.view, settings_.scale, last_.rows, to);
         last_.rows = to;
         last_.unknown = true;

@@ -4,10 +4,10 @@
 /// else.
 #pragma once
 
-#include "tracer/render/camera.h"
-#include "tracer/render/pace.h"
+#include "tracer/plan/camera.h"
+#include "tracer/render/adaptive_resolution.h"
 #include "tracer/render/renderer.h"
-#include "tracer/render/settings.h"
+#include "tracer/settings/settings.h"
 
 #include <functional>
 #include <set>
@@ -93,7 +93,7 @@ class Viewer {
         int rows = 0;
         bool unknown = false; ///< how long it took is not known yet
     };
-    Pace pace_;
+    AdaptiveResolution adaptive_;
     Drawn last_;
 };
 

@@ -119,7 +119,7 @@ std::vector<ShapeKind> drawnKinds(const Scene& scene) {
     for (const Shape& shape : shapes) {
         const bool huge = shape.kind == ShapeKind::Sphere &&
                           lengthOf(shape, "radius") > kHuge * std::min(least, heightAbove(shape, scene.camera.eye));
-        kinds.push_back(huge ? ShapeKind::Globe : shape.kind);
+        kinds.push_back(huge ? ShapeKind::LargeSphere : shape.kind);
     }
     return kinds;
 }

@@ -154,7 +154,7 @@ const std::array<ShapeRow, kShapeKinds>& rows() {
           {"power", Number, 1, 0, "Power of the map, 2 to 16; 8 is the known one"},
           {"iterations", Number, 1, 1, "How often points are mapped, 1 to 32: more show finer detail"}},
          checkMandelbulb, mandelbulbExtent, false},
-        {ShapeKind::Globe, "globe", "Globe", 2, {}, nothingWrong, nullptr, true}, // packed by globeOf()
+        {ShapeKind::LargeSphere, "large_sphere", "LargeSphere", 2, {}, nothingWrong, nullptr, true}, // packed by largeSphereOf()
         {ShapeKind::Solid, "solid", "Solid", 1,
          {{"center", Point, 0, 0, "Middle of the ball about it"},
           {"radius", Length, 0, 3, "Radius of that ball"}},
@@ -180,9 +180,9 @@ double rounded(double x) {
     return stored;
 }
 
-/// The sphere in the numbers that shaders/primitive/globe.glsl reads, near `eye` within float32 of what is near, where
+/// The sphere in the numbers that shaders/primitive/large_sphere.glsl reads, near `eye` within float32 of what is near, where
 /// centre and radius are within float32 of the radius only.
-Shape globeOf(const Shape& sphere, glm::dvec3 eye) {
+Shape largeSphereOf(const Shape& sphere, glm::dvec3 eye) {
     const glm::dvec3 center = pointOf(sphere, "center");
     const double radius = lengthOf(sphere, "radius"), away = glm::distance(eye, center);
     const glm::dvec3 towardsEye = away > 0 ? (eye - center) / away : glm::dvec3(0, 1, 0);
@@ -191,7 +191,7 @@ Shape globeOf(const Shape& sphere, glm::dvec3 eye) {
     const glm::dvec3 anchor{rounded(nearest.x), rounded(nearest.y), rounded(nearest.z)};
     const double reach = glm::distance(anchor, center);
     const double height = (reach - radius) * (reach + radius) / (2 * reach);
-    return {ShapeKind::Globe,
+    return {ShapeKind::LargeSphere,
             {glm::dvec4(anchor, 1 / reach), glm::dvec4((anchor - center) / reach, height), glm::dvec4(0)}};
 }
 
@@ -233,7 +233,7 @@ double sizeOf(const Shape& shape) {
 }
 
 Shape drawnAs(ShapeKind kind, const Shape& shape, glm::dvec3 eye) {
-    return kind == ShapeKind::Globe ? globeOf(shape, eye) : shape;
+    return kind == ShapeKind::LargeSphere ? largeSphereOf(shape, eye) : shape;
 }
 
 Shape translated(Shape shape, glm::dvec3 by) {

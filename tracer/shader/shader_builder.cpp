@@ -1,6 +1,6 @@
 #include "tracer/shader/shader_builder.h"
 
-#include "tracer/render/scene_data.h"
+#include "tracer/plan/scene_packer.h"
 #include "tracer/shader/condition.h"
 #include "tracer/shader/library.h"
 #include "tracer/shader/solid_source.h"
@@ -20,29 +20,35 @@ struct Names {
     std::map<std::string, std::vector<std::string>, std::less<>> lists;
 };
 
-std::string mapped(std::string text, int (*change)(int)) {
-    std::transform(text.begin(), text.end(), text.begin(), [=](unsigned char c) { return char(change(c)); });
-    return text;
+/// `LargeSphere` as `large_sphere` or `LARGE_SPHERE`.
+std::string mapped(std::string_view text, int (*change)(int)) {
+    std::string out;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto isUpper = [&](std::size_t at) { return std::isupper(static_cast<unsigned char>(text[at])) != 0; };
+        if (i > 0 && isUpper(i) && !isUpper(i - 1) && text[i - 1] != '_') out += '_';
+        out += char(change(static_cast<unsigned char>(text[i])));
+    }
+    return out;
 }
 
 /// How rays find the objects of a kind.
 void addSearch(const KindCount& kind, Names& names) {
     const std::string type = mapped(kind.type(), std::toupper);
-    const bool block = kind.blockMembers() > 0, searched = block || kind.search != Search::Loop;
+    const bool block = kind.latticeMembers() > 0, searched = block || kind.search != Search::Loop;
     names.values[type + "_SEARCH"] = int(kind.search);
     names.values[type + "_SEARCHED"] = searched;
     names.values[type + "_ALONE"] = kind.count == 1;
-    names.values[type + "_BLOCK"] = block;
+    names.values[type + "_LATTICE"] = block;
     names.values["SEARCHES"] |= int(searched);
-    names.values["BLOCKS"] |= int(block);
-    names.values["CELL_GRIDS"] |= int(kind.search == Search::Cells);
+    names.values["LATTICES"] |= int(block);
+    names.values["UNIFORM_GRIDS"] |= int(kind.search == Search::Grid);
     names.values["HIERARCHIES"] |= int(kind.search == Search::Hierarchy);
     constexpr int kPart = 4; // balls that GPUs may hold at once
-    names.lists[type + "_SIEVE"];
-    for (int i = 0; i < kind.loose() && kind.search == Search::Sieve; ++i) {
+    names.lists[type + "_SPHERE_MASK"];
+    for (int i = 0; i < kind.loose() && kind.search == Search::SphereMask; ++i) {
         const std::string part = std::to_string(i / kPart);
-        if (i % kPart == 0) names.lists[type + "_SIEVE"].push_back(part);
-        names.lists[type + "_SIEVE_" + part].push_back(std::to_string(i));
+        if (i % kPart == 0) names.lists[type + "_SPHERE_MASK"].push_back(part);
+        names.lists[type + "_SPHERE_MASK_" + part].push_back(std::to_string(i));
     }
 }
 
@@ -64,12 +70,12 @@ void addShape(const KindCount& kind, Names& names) {
 /// is exact: an estimate may be less than that of the box about it.
 void addNearest(const KindCount& kind, Names& names) {
     const std::string type = mapped(kind.type(), std::toupper);
-    const bool block = kind.blockMembers() > 0, rack = block && kind.kind == ShapeKind::Sphere;
+    const bool lattice = kind.latticeMembers() > 0, spheres = lattice && kind.kind == ShapeKind::Sphere;
     const bool exact = !kind.solid && kind.kind != ShapeKind::Mandelbulb;
-    const bool nearby = kind.search == Search::Hierarchy && exact && (rack || !block);
-    names.values[type + "_RACK"] = rack;
+    const bool nearby = kind.search == Search::Hierarchy && exact && (spheres || !lattice);
+    names.values[type + "_SPHERE_LATTICE"] = spheres;
     names.values[type + "_NEARBY"] = nearby;
-    names.values["RACKS"] |= int(rack && kind.casters > 0);
+    names.values["SPHERE_LATTICES"] |= int(spheres && kind.casters > 0);
     names.values["NEARBY"] |= int(nearby && kind.casters > 0);
 }
 
@@ -87,10 +93,10 @@ Names namesOf(const Features& f) {
         {"LIGHTS", f.lights},
         {"GLOWS", f.glows},
         {"DATA_BLOCK", f.dataBlock},
-        {"TURNS_COUNTED", f.turnsCounted},
-        {"READ_AHEAD", f.readAhead},
-        {"HELD", f.held},
-        {"LEAVES", f.leaves},
+        {"ITERATIONS_COUNTED", f.iterationsCounted},
+        {"PRELOADS", f.preloads},
+        {"CACHED_LOADS", f.cachedLoads},
+        {"FALLBACK", f.fallsBack},
         {"TILES", f.tile > 0},
         {"SHADOWS", f.shadows != ShadowModel::Off},
         {"SHADOW_RAYS", shadowRow(f.shadows).rays},
@@ -113,19 +119,19 @@ Names namesOf(const Features& f) {
         {"WORK", int(Aov::Work)},
         {"STEPS", int(Aov::Steps)},
         {"HIERARCHY", int(Search::Hierarchy)},
-        {"CELLS", int(Search::Cells)},
+        {"GRID", int(Search::Grid)},
     };
     // Of any kind: none in a program that is left with no kind to ask.
-    for (const char* name : {"SEARCHES", "BLOCKS", "CELL_GRIDS", "HIERARCHIES", "ESTIMATED_CASTERS", "MARCHED_CASTERS",
-                             "RACKS", "NEARBY", "TRIANGLES"})
+    for (const char* name : {"SEARCHES", "LATTICES", "UNIFORM_GRIDS", "HIERARCHIES", "ESTIMATED_CASTERS", "MARCHED_CASTERS",
+                             "SPHERE_LATTICES", "NEARBY", "TRIANGLES"})
         names.values[name] = 0;
     // Solids have shapes for parts that the scene has no object of.
     for (const ShapeRow& row : shapeTable()) names.values[mapped(std::string(row.type), std::toupper) + "_IMAGES"] = 0;
     auto& shapes = names.lists["SHAPES"];
     auto& casters = names.lists["CASTERS"];
-    auto& rare = names.lists["RARE"];
+    auto& rare = names.lists["UNCOMMON"];
     for (const KindCount& kind : f.shapes) {
-        if (f.leaves && kind.rare) {
+        if (f.fallsBack && kind.uncommon) {
             rare.push_back(kind.type());
             continue;
         }

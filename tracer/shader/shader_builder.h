@@ -10,7 +10,7 @@
 #pragma once
 
 #include "tracer/problem.h"
-#include "tracer/shader/features.h"
+#include "tracer/plan/features.h"
 #include "tracer/shader/library.h"
 
 #include <span>

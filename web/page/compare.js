@@ -1,6 +1,6 @@
 // Frame rates over scenes, depth, shadows, size and any other setting, as `gnomon bench` measures them (docs/bench.md).
 //
-// What is drawn, when, and what becomes of the numbers is decided in C++ (tracer/lab/bench_run.h). Here are the loop,
+// What is drawn, when, and what becomes of the numbers is decided in C++ (lab/bench/bench_run.h). Here are the loop,
 // which lets the page live between turns, and what only a browser knows.
 
 import { BenchStep, benchOf } from './compare_calls.js';

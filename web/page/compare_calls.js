@@ -2,7 +2,7 @@
 
 import { pairsOf } from './tracer.js';
 
-/** What came of a step, as BenchStep in tracer/lab/bench_run.h. */
+/** What came of a step, as BenchStep in lab/bench/bench_run.h. */
 export const BenchStep = { working: 0, stepped: 1, finished: 2 };
 
 export function benchOf({ call, callForText, callWithBytes }) {

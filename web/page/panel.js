@@ -25,7 +25,7 @@ function addControl(folder, values, row) {
 }
 
 /**
- * @param table rows as settingsJson() of tracer/render/settings.h gives them
+ * @param table rows as settingsJson() of tracer/settings/settings.h gives them
  * @param settings Map of key → text as they stand
  * @param set called with (key, text) when the user changes one
  * @returns { show(settings) }: brings the controls up to date

@@ -1,4 +1,4 @@
-// Takes a text for results, or says what is wrong with it, where, and what to do: as `gnomon report` does (tracer/lab/read_results.cpp).
+// Takes a text for results, or says what is wrong with it, where, and what to do: as `gnomon report` does (lab/results/read_results.cpp).
 
 const remedy = 'write it anew with --json=FILE';
 

@@ -1,0 +1,135 @@
+#include "lab/batch/batch.h"
+
+#include "tracer/gl/objects.h"
+#include "tracer/render/program_cache.h"
+#include "tracer/plan/scene_packer.h"
+#include "tracer/shader/shader_builder.h"
+
+namespace gnomon {
+namespace {
+
+constexpr int kWidth = 512; // pixels a row
+constexpr int kMostRows = int(Batch::kMost) / kWidth;
+constexpr GLsizeiptr kFrameBytes = 13 * 16; // of the frame block (shaders/frame.glsl): all 0 but for these
+constexpr GLintptr kOptionsAt = 7 * 16;     // y: epsilon, z: lights have their own radius
+constexpr GLintptr kRepeatsAt = 9 * 16;     // of limits.x
+constexpr GLintptr kBudgetAt = 10 * 16;
+
+} // namespace
+
+struct Batch::Impl {
+    gl::Program program;
+    gl::VertexArray vertexArray = gl::makeVertexArray();
+    gl::Buffer frame = gl::makeUniformBuffer(), scene = gl::makeUniformBuffer();
+    std::vector<gl::Texture> inputs, outputs;
+    gl::Framebuffer target;
+    std::size_t pixels = 0; ///< uploaded
+    int rows = 0;
+
+    bool makeTextures(const BatchPass& pass) {
+        for (std::size_t i = 0; i < pass.inputs.size(); ++i) inputs.push_back(gl::makeDataTexture(kWidth, kMostRows));
+        GLuint name = 0;
+        glGenFramebuffers(1, &name);
+        target = gl::Framebuffer(name);
+        glBindFramebuffer(GL_FRAMEBUFFER, name);
+        std::vector<GLenum> attachments;
+        for (int i = 0; i < pass.outputs; ++i) {
+            attachments.push_back(GLenum(GL_COLOR_ATTACHMENT0 + i));
+            outputs.push_back(gl::makeDataTexture(kWidth, kMostRows));
+            glFramebufferTexture2D(GL_FRAMEBUFFER, attachments.back(), GL_TEXTURE_2D, outputs.back().get(), 0);
+        }
+        glDrawBuffers(pass.outputs, attachments.data());
+        return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    }
+
+    void fillBlocks(const BatchPass& pass, const std::vector<glm::vec4>& texels) {
+        const std::vector<std::byte> zeroes(kFrameBytes);
+        glBindBuffer(GL_UNIFORM_BUFFER, frame.get());
+        glBufferData(GL_UNIFORM_BUFFER, kFrameBytes, zeroes.data(), GL_DYNAMIC_DRAW);
+        const Settings& settings = pass.settings;
+        const glm::vec4 options(0, settings.epsilon, -1, 0);
+        glBufferSubData(GL_UNIFORM_BUFFER, kOptionsAt, sizeof options, &options);
+        const glm::ivec4 budget(settings.shadowSteps, settings.samples, settings.marchSteps, settings.firstSample);
+        glBufferSubData(GL_UNIFORM_BUFFER, kBudgetAt, sizeof budget, &budget);
+        glBindBuffer(GL_UNIFORM_BUFFER, scene.get());
+        glBufferData(GL_UNIFORM_BUFFER, GLsizeiptr(texels.size() * sizeof texels[0]), texels.data(), GL_STATIC_DRAW);
+        glUseProgram(program.get());
+        program.bindBlock("Frame", kFrameBinding);
+        program.bindBlock("SceneBlock", kSceneBinding);
+        for (std::size_t i = 0; i < pass.inputs.size(); ++i) program.bindSampler(pass.inputs[i], GLint(i));
+    }
+};
+
+Batch::Batch(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+Batch::~Batch() = default;
+
+std::unique_ptr<Batch> Batch::make(const BatchPass& pass, const Scene& scene, Problems& problems,
+                                   std::span<const ShaderFile> overrides) {
+    const gl::Info info = gl::info();
+    Settings settings = pass.settings;
+    settings.data = DataPath::Block;
+    Features features = featuresOf(scene, settings, {.es300 = info.essl300});
+    features.distances |= pass.distances;
+    Problems faults;
+    const ShaderSource source = buildShader(pass.file, features, faults, overrides);
+    auto impl = std::make_unique<Impl>();
+    impl->program = gl::Program(buildCanvas(features, faults).text, source.text);
+    if (!impl->program.linked()) {
+        const Problems mapped = mapLog(impl->program.fragmentLog() + impl->program.linkLog(), source);
+        faults.insert(faults.end(), mapped.begin(), mapped.end());
+    } else if (!info.floatTargets || !impl->makeTextures(pass)) {
+        faults.push_back({{}, 0, {}, "this GL cannot draw float32 pictures", "use another --context"});
+    }
+    problems.insert(problems.end(), faults.begin(), faults.end());
+    if (!faults.empty()) return nullptr;
+    impl->fillBlocks(pass, packScene(scene, features, 0));
+    return std::unique_ptr<Batch>(new Batch(std::move(impl)));
+}
+
+void Batch::upload(std::span<const std::vector<glm::vec4>> inputs) {
+    impl_->pixels = inputs.front().size();
+    impl_->rows = int((impl_->pixels + kWidth - 1) / kWidth);
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        std::vector<glm::vec4> texels = inputs[i];
+        texels.resize(std::size_t(kWidth) * std::size_t(impl_->rows), texels.back()); // the last row ends alike
+        glActiveTexture(GLenum(GL_TEXTURE0 + i));
+        glBindTexture(GL_TEXTURE_2D, impl_->inputs[i].get());
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kWidth, impl_->rows, GL_RGBA, GL_FLOAT, texels.data());
+    }
+}
+
+void Batch::draw(int repeats) {
+    const GLint limit = repeats;
+    glBindBuffer(GL_UNIFORM_BUFFER, impl_->frame.get());
+    glBufferSubData(GL_UNIFORM_BUFFER, kRepeatsAt, sizeof limit, &limit);
+    glBindVertexArray(impl_->vertexArray.get());
+    glUseProgram(impl_->program.get());
+    glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, impl_->frame.get());
+    glBindBufferBase(GL_UNIFORM_BUFFER, kSceneBinding, impl_->scene.get());
+    glBindFramebuffer(GL_FRAMEBUFFER, impl_->target.get());
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_BLEND);
+    glViewport(0, 0, kWidth, impl_->rows);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+void Batch::wait() {
+    glm::vec4 pixel; // one pixel read back waits on every GL, in browsers too
+    glBindFramebuffer(GL_FRAMEBUFFER, impl_->target.get());
+    glReadBuffer(GL_COLOR_ATTACHMENT0);
+    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_FLOAT, &pixel);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
+std::vector<glm::vec4> Batch::read(int output) {
+    std::vector<glm::vec4> texels(std::size_t(kWidth) * std::size_t(impl_->rows));
+    glBindFramebuffer(GL_FRAMEBUFFER, impl_->target.get());
+    glReadBuffer(GLenum(GL_COLOR_ATTACHMENT0 + output));
+    glReadPixels(0, 0, kWidth, impl_->rows, GL_RGBA, GL_FLOAT, texels.data());
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    texels.resize(impl_->pixels);
+    return texels;
+}
+
+} // namespace gnomon

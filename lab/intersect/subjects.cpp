@@ -1,0 +1,307 @@
+#include "lab/intersect/subjects.h"
+
+#include <cmath>
+#include <ostream>
+
+namespace gnomon::oracle {
+namespace {
+
+using Vec = Vec3<double>;
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kThin = 0x1p-7;
+
+Shape make(ShapeKind kind, std::array<glm::dvec4, kMaxShapeTexels> texels) { return {kind, texels}; }
+glm::dvec4 about(double x, double y, double z, double w = 0) { return {x, y, z, w}; }
+
+/// A fixed turn about a skew axis: no component of a turned axis is 0.
+glm::dvec3 turned(glm::dvec3 v) {
+    static const glm::dmat3 turn = [] {
+        const glm::dvec3 a = glm::normalize(glm::dvec3(0.48, 0.6, 0.34)),
+                         b = glm::normalize(glm::cross(a, {0.2, -0.5, 0.9}));
+        return glm::dmat3(b, glm::cross(a, b), a);
+    }();
+    return turn * v;
+}
+
+glm::dvec4 turned(glm::dvec4 v) { return {turned(glm::dvec3(v)), v.w}; }
+/// As the shader gets it.
+Shape rounded(Shape shape) {
+    for (glm::dvec4& texel : shape.texels) texel = glm::dvec4(glm::vec4(texel));
+    return shape;
+}
+
+Shape turned(Shape shape) {
+    if (shape.kind == ShapeKind::Box) return shape; // its faces lie across the world's axes
+    for (const ShapeField& field : shapeRow(shape.kind).fields) {
+        const int vectors = field.type == FieldType::Vertices ? 3 : field.component == 0 ? 1 : 0;
+        for (int i = 0; i < vectors; ++i) shape.texels[field.texel + i] = turned(shape.texels[field.texel + i]);
+    }
+    return shape;
+}
+
+Vec lateral(Vec v, int axis) {
+    v[axis] = 0;
+    return v;
+}
+
+} // namespace
+
+std::ostream& operator<<(std::ostream& out, const Subject& subject) { return out << subject.name(); }
+
+const std::vector<Subject>& subjects() {
+    using enum ShapeKind;
+    // Numbers that float32 holds exactly.
+    static const std::vector<Subject> all{
+        {"sphere", "", make(Sphere, {about(0, 0, 0, 1)})},
+        {"plane", "", make(Plane, {about(0, 0, 0), about(0, 0, 1)})},
+        {"disc", "", make(Disc, {about(0, 0, 0, 1), about(0, 0, 1)})},
+        {"triangle", "thin", make(Triangle, {about(-1, 0, 0), about(1, 0, 0), about(0.25, kThin, 0)})},
+        {"triangle", "fat", make(Triangle, {about(-0.875, -0.5, 0), about(0.875, -0.5, 0), about(0, 1, 0)})},
+        {"torus", "thin", make(Torus, {about(0, 0, 0, 1), about(0, 0, 1, kThin)})},
+        {"torus", "quarter", make(Torus, {about(0, 0, 0, 1), about(0, 0, 1, 0.25)})},
+        {"torus", "fat", make(Torus, {about(0, 0, 0, 1), about(0, 0, 1, 0.875)})},
+        {"box", "thin", make(Box, {about(0, 0, 0), about(1, 0.75, kThin)})},
+        {"box", "fat", make(Box, {about(0, 0, 0), about(1, 0.75, 0.625)})},
+        {"cylinder", "thin", make(Cylinder, {about(0, 0, -1, kThin), about(0, 0, 1)})},
+        {"cylinder", "fat", make(Cylinder, {about(0, 0, -0.25, 1), about(0, 0, 0.25)})},
+        {"capsule", "thin", make(Capsule, {about(0, 0, -1, kThin), about(0, 0, 1)})},
+        {"capsule", "fat", make(Capsule, {about(0, 0, -0.25, 1), about(0, 0, 0.25)})},
+        {"cone", "thin", make(Cone, {about(0, 0, -1, kThin), about(0, 0, 1)})},
+        {"cone", "fat", make(Cone, {about(0, 0, -0.25, 1), about(0, 0, 0.25)})},
+    };
+    return all;
+}
+
+Scene sceneOf(const std::vector<Shape>& shapes) {
+    Scene scene;
+    scene.materials.resize(1);
+    scene.objects.resize(shapes.size());
+    for (std::size_t i = 0; i < shapes.size(); ++i) scene.objects[i].shape = shapes[i];
+    return scene;
+}
+
+std::string_view nameOf(RayClass kind) {
+    switch (kind) {
+    case RayClass::Uniform: return "uniform";
+    case RayClass::Grazing: return "grazing";
+    case RayClass::Tangent: return "tangent";
+    case RayClass::Hole: return "hole";
+    case RayClass::Inside: return "inside";
+    case RayClass::Axis: return "axis";
+    }
+    return "";
+}
+
+bool fits(RayClass kind, const Subject& subject) {
+    const bool closed = Body<double>(subject.body).closed();
+    if (kind == RayClass::Hole) return subject.body.kind == ShapeKind::Torus;
+    if (kind == RayClass::Inside) return closed;
+    if (kind == RayClass::Tangent) return subject.body.kind != ShapeKind::Plane; // it has no silhouette
+    return true;
+}
+
+double leastDecided(RayClass kind, ShapeKind shape, double distance) {
+    const bool plane = shape == ShapeKind::Plane;
+    switch (kind) {
+    case RayClass::Uniform: return 0.99;
+    case RayClass::Grazing: return 0.45;
+    case RayClass::Tangent: return distance > 1e4 ? 0.05 : 0.2;
+    case RayClass::Hole: return 0.99;
+    case RayClass::Inside: return distance > 1e4 ? 0.3 : 0.85; // 1e5 away a thin box is one rounding thick
+    case RayClass::Axis: return plane ? 0.4 : 0.7;
+    }
+    return 1;
+}
+
+Shape placed(const Subject& subject, RayClass kind, double distance) {
+    if (kind == RayClass::Axis) return subject.body;
+    const glm::dvec3 away =
+        kind == RayClass::Inside ? distance * glm::dvec3(0.6, -0.48, 0.64) : glm::dvec3(0.3, -0.7, 1.1);
+    return rounded(translated(turned(subject.body), away));
+}
+
+RayStream::RayStream(const Shape& placed, RayClass kind, double distance, std::uint64_t seed)
+    : body_(placed), kind_(kind), far_(distance), random_(seed) {
+    measures_ = {0};
+    for (const glm::dvec4& texel : placed.texels)
+        for (int i = 0; i < 4; ++i)
+            if (texel[i] != 0) measures_.insert(measures_.end(), {texel[i], -texel[i]});
+    if (placed.kind == ShapeKind::Torus)
+        for (const double side : {-1.0, 1.0})
+            for (const double tube : {-1.0, 1.0}) measures_.push_back(side * (body_.radius() + tube * body_.minor()));
+}
+
+BatchRay RayStream::next() {
+    switch (kind_) {
+    case RayClass::Uniform: return uniform();
+    case RayClass::Grazing: return grazing();
+    case RayClass::Tangent: return tangent();
+    case RayClass::Hole: return hole();
+    case RayClass::Inside: return inside();
+    case RayClass::Axis: return axis();
+    }
+    return {};
+}
+
+Vec RayStream::direction() {
+    const double z = number(-1, 1), turn = number(0, 2 * kPi), r = std::sqrt(1 - z * z);
+    return {r * std::cos(turn), r * std::sin(turn), z};
+}
+
+Vec RayStream::acrossTo(const Vec& normal) {
+    const Vec any = direction();
+    return unit(any - dot(any, normal) * normal);
+}
+
+/// From points relative to the body's middle.
+BatchRay RayStream::from(const Vec& origin, const Vec& along) const {
+    BatchRay ray;
+    ray.origin = toFloat(body_.middle() + Vec3<long double>(origin));
+    ray.direction = toFloat(unit(along));
+    return ray;
+}
+
+BatchRay RayStream::towards(const Vec& origin, const Vec& target) const {
+    BatchRay ray = from(origin, target - origin);
+    const Vec start(Vec3<long double>(ray.origin) - body_.middle()); // as rounded
+    ray.direction = toFloat(unit(target - start));
+    return ray;
+}
+
+/// A far ray's six numbers have steps that are coarser than what it should pass by a surface at. Of many rays a few
+/// steps beside it, the one that passes the wanted point closest, across the surface.
+BatchRay RayStream::nudged(const BatchRay& ray, const Spot& wanted) {
+    const Vec3<long double> target = body_.middle() + Vec3<long double>(wanted.point), normal(wanted.normal);
+    BatchRay best = ray;
+    long double least = 1e30L;
+    for (int i = 0; i < 200; ++i) {
+        BatchRay other = ray;
+        for (int c = 0; c < 3; ++c) {
+            const float origin = ray.origin[c], direction = ray.direction[c];
+            const auto steps = [&](int most) { return float(int(number(0, 2 * most + 1)) - most); };
+            other.origin[c] += steps(2) * (std::nextafter(origin, 1e30f) - origin);
+            other.direction[c] += steps(1) * (std::nextafter(direction, 1e30f) - direction);
+        }
+        const Vec3<long double> o = Vec3<long double>(other.origin) - target, d(other.direction);
+        const long double past = std::abs(dot(o - (dot(o, d) / dot(d, d)) * d, normal));
+        if (past >= least) continue;
+        least = past;
+        best = other;
+    }
+    return best;
+}
+
+RayStream::Spot RayStream::surface() {
+    const double size = body_.size();
+    if (body_.kind() == ShapeKind::Plane) return {number(0, size) * acrossTo(body_.axis()), body_.axis()};
+    if (body_.kind() == ShapeKind::Disc) {
+        const Vec outward = acrossTo(body_.axis());
+        return {size * outward, outward};
+    }
+    if (body_.kind() == ShapeKind::Triangle) {
+        const int i = int(number(0, 3));
+        const Vec a = body_.vertex(i), b = body_.vertex((i + 1) % 3);
+        return {a + number(0, 1) * (b - a), unit(cross(b - a, body_.axis()))};
+    }
+    // The distance leads any point onto the surface, and to the normals of all that lies about an edge.
+    Vec p = size * std::cbrt(number(0, 1)) * direction();
+    const Vec normal = body_.normal(p);
+    for (int i = 0; i < 3; ++i) p = p - body_.distance(p) * body_.normal(p);
+    return {p, body_.distance(p + 1e-6 * size * normal) > 0 ? normal : body_.normal(p)};
+}
+
+BatchRay RayStream::uniform() {
+    const Vec origin = far_ * body_.size() * direction();
+    return towards(origin, body_.size() * std::cbrt(number(0, 1)) * direction());
+}
+
+BatchRay RayStream::towardsSurface() {
+    const Vec spot = surface().point;
+    return towards(far_ * body_.size() * direction(), body_.closed() ? spot : number(0, 1) * spot);
+}
+
+BatchRay RayStream::grazing() {
+    const double offset = std::pow(10.0, number(-8, -2)) * (number(0, 1) < 0.5 ? -1 : 1);
+    const Spot spot = surface();
+    if (body_.kind() == ShapeKind::Plane) // nearly along it
+        return from(far_ * unit(acrossTo(spot.normal) + offset * spot.normal),
+                    acrossTo(spot.normal) - offset * spot.normal);
+    const Vec target = spot.point + offset * body_.size() * spot.normal;
+    const Vec along = body_.closed() ? acrossTo(spot.normal) : direction();
+    return nudged(towards(target - far_ * body_.size() * along, target), {target, spot.normal});
+}
+
+bool RayStream::meets(const BatchRay& ray) const {
+    return exactHit(body_, lineOf(body_, ray.origin, ray.direction)).hit;
+}
+
+/// Along the view axis from far away through a point, slanted by so much over the whole way.
+BatchRay RayStream::alongAxis(const Vec& through, const Vec& slant) const {
+    const double way = far_ * body_.size();
+    Vec along = (1 / way) * lateral(slant, view_);
+    along[view_] = -facing_;
+    BatchRay ray = from(through - way * along, along);
+    ray.direction[view_] = float(-facing_); // its length is 1 to float32: the slant is tiny, or the rounding is
+    return ray;
+}
+
+/// Bisects between a ray that meets the body and one that passes it by.
+void RayStream::findSilhouette() {
+    for (;;) {
+        view_ = int(number(0, 3));
+        facing_ = number(0, 1) < 0.5 ? -1 : 1;
+        Vec low = lateral(0.999 * surface().point, view_);
+        outward_ = unit(lateral(direction(), view_));
+        if (!meets(alongAxis(low, {}))) continue;
+        Vec high = low + 2.5 * body_.size() * outward_;
+        for (int i = 0; i < 40; ++i) {
+            const Vec middle = 0.5 * (low + high);
+            (meets(alongAxis(middle, {})) ? low : high) = middle;
+        }
+        silhouette_ = low;
+        left_ = 32;
+        return;
+    }
+}
+
+BatchRay RayStream::tangent() {
+    if (left_ == 0) findSilhouette();
+    --left_;
+    const double offset = std::exp2(number(-27, -16)) * (number(0, 1) < 0.5 ? -1 : 1) * body_.size();
+    const Vec slant = 1e-4 * std::min(1.0, far_ * 1e-4) * direction();
+    return alongAxis(silhouette_ + offset * outward_, slant);
+}
+
+BatchRay RayStream::hole() {
+    const Vec target = 1.02 * (body_.radius() - body_.minor()) * std::sqrt(number(0, 1)) * acrossTo(body_.axis());
+    return towards(far_ * body_.size() * direction(), target);
+}
+
+BatchRay RayStream::inside() {
+    for (;;) {
+        const Spot spot = surface();
+        const Vec p = spot.point - std::exp2(number(-12, 0)) * body_.size() * spot.normal;
+        if (body_.distance(p) < -1e-6 * body_.size()) return from(p, direction());
+    }
+}
+
+BatchRay RayStream::axis() {
+    const auto coordinate = [&] {
+        const double any = number(0, 1);
+        return any < 0.7 ? measures_[std::size_t(number(0, double(measures_.size())))] : number(-1, 1) * body_.size();
+    };
+    const int across = int(number(0, 3)), along = (across + 1 + int(number(0, 2))) % 3;
+    Vec way;
+    way[along] = number(0, 1) < 0.5 ? -1 : 1;
+    if (number(0, 1) < 0.6) { // within a plane across an axis, else along an axis
+        const double turn = number(0, 2 * kPi);
+        way[along] = std::cos(turn);
+        way[3 - across - along] = std::sin(turn);
+    }
+    const Vec through{coordinate(), coordinate(), coordinate()};
+    BatchRay ray = from(through - far_ * body_.size() * way, way);
+    return ray;
+}
+
+} // namespace gnomon::oracle

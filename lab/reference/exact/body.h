@@ -1,0 +1,225 @@
+/// A shape as geometry: its exact distance about its own middle.
+///
+/// It knows nothing of rays and shares no formula with the shader's intersectors. R is double for millions of rays (the
+/// coordinates are those of the shape's own size, so 1e-16 of it is lost), or any wider type.
+#pragma once
+
+#include "lab/reference/exact/vec3.h"
+#include "tracer/scene/shapes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+namespace gnomon::oracle {
+
+/// What world coordinates are subtracted in before the rest is R.
+template<class R>
+using Wide = std::conditional_t<std::is_same_v<R, double>, long double, R>;
+
+/// Which numbers of a shape are meant: rounded to float32, as the shader gets them, or as the scene has them.
+enum class Numbers { OfTheShader, OfTheScene };
+
+template<class R>
+class Body {
+  public:
+    explicit Body(Shape shape, Numbers numbers = Numbers::OfTheShader) : kind_(shape.kind) {
+        using W = Wide<R>;
+        if (numbers == Numbers::OfTheShader)
+            for (glm::dvec4& texel : shape.texels) texel = glm::dvec4(glm::vec4(texel));
+        const auto point = [&](int texel) { return Vec3<W>(glm::dvec3(shape.texels[std::size_t(texel)])); };
+        const auto number = [&](int texel) { return R(shape.texels[std::size_t(texel)].w); };
+        const bool axial = kind_ == ShapeKind::Cylinder || kind_ == ShapeKind::Capsule || kind_ == ShapeKind::Cone;
+        middle_ = point(0);
+        if (axial) middle_ = W(0.5) * (point(0) + point(1));
+        if (kind_ == ShapeKind::Triangle) middle_ = (1 / W(3)) * (point(0) + point(1) + point(2));
+        for (int i = 0; i < 3; ++i) vertices_[i] = Vec3<R>(point(i) - middle_);
+        radius_ = number(0);
+        if (kind_ == ShapeKind::Torus) minor_ = number(1);
+        if (kind_ == ShapeKind::Box) half_ = Vec3<R>(point(1));
+        if (axial) {
+            axis_ = unit(vertices_[1] - vertices_[0]);
+            halfLength_ = length(vertices_[1] - vertices_[0]) / 2;
+        } else if (kind_ == ShapeKind::Triangle) {
+            axis_ = unit(cross(vertices_[1] - vertices_[0], vertices_[2] - vertices_[0]));
+        } else if (kind_ == ShapeKind::Plane || kind_ == ShapeKind::Disc || kind_ == ShapeKind::Torus) {
+            axis_ = unit(Vec3<R>(point(1)));
+        }
+        size_ = sizeOf();
+    }
+
+    ShapeKind kind() const { return kind_; }
+    bool closed() const {
+        return kind_ != ShapeKind::Plane && kind_ != ShapeKind::Disc && kind_ != ShapeKind::Triangle;
+    }
+    /// The distance is a convex function of the point.
+    bool convex() const { return closed() && kind_ != ShapeKind::Torus; }
+    const Vec3<Wide<R>>& middle() const { return middle_; }
+    /// Radius of the sphere about the middle that holds the body; 1 for a plane.
+    const R& size() const { return size_; }
+    /// Along the torus, the plane's or disc's normal, from `from` to `to`; a triangle's normal.
+    const Vec3<R>& axis() const { return axis_; }
+    const R& radius() const { return radius_; }
+    const R& minor() const { return minor_; }
+    const Vec3<R>& vertex(int i) const { return vertices_[i]; }
+
+    /// Signed distance of a closed body's surface, negative inside, or of the plane of a flat one. `p` from the middle.
+    R distance(const Vec3<R>& p) const {
+        switch (kind_) {
+        case ShapeKind::Sphere: return length(p) - radius_;
+        case ShapeKind::Torus: {
+            const R along = dot(p, axis_);
+            return hypotenuse(length(p - along * axis_) - radius_, along) - minor_;
+        }
+        case ShapeKind::Box: return boxDistance(abs(p.x) - half_.x, abs(p.y) - half_.y, abs(p.z) - half_.z);
+        case ShapeKind::Cylinder: {
+            const Profile q = profile(p);
+            return boxDistance(q.away - radius_, abs(q.along) - halfLength_, R(-1e30));
+        }
+        case ShapeKind::Capsule: {
+            const Profile q = profile(p);
+            return hypotenuse(q.away, std::max<R>(abs(q.along) - halfLength_, 0)) - radius_;
+        }
+        case ShapeKind::Cone: return coneDistance(profile(p));
+        default: return dot(p, axis_);
+        }
+    }
+
+    /// The same, but of a disc or triangle as far as its rim, which has no inside: never negative.
+    R boundedDistance(const Vec3<R>& p) const {
+        if (kind_ == ShapeKind::Disc) {
+            const Profile q = profile(p);
+            return hypotenuse(q.along, std::max<R>(q.away - radius_, 0));
+        }
+        if (kind_ != ShapeKind::Triangle) return distance(p);
+        if (withinRim(p) >= 0) return abs(distance(p));
+        R least = R(1e30);
+        for (int i = 0; i < 3; ++i) {
+            const Vec3<R> along = vertices_[(i + 1) % 3] - vertices_[i], off = p - vertices_[i];
+            const R part = std::clamp<R>(dot(off, along) / dot(along, along), 0, 1);
+            least = std::min<R>(least, length(off - part * along));
+        }
+        return least;
+    }
+
+    /// How far a point of a flat body's plane is inside its rim; a plane has none.
+    R withinRim(const Vec3<R>& p) const {
+        if (kind_ == ShapeKind::Disc) return radius_ - length(p);
+        if (kind_ != ShapeKind::Triangle) return R(1e30);
+        R least = R(1e30);
+        for (int i = 0; i < 3; ++i) {
+            const Vec3<R> along = unit(vertices_[(i + 1) % 3] - vertices_[i]);
+            least = std::min<R>(least, dot(cross(axis_, along), p - vertices_[i]));
+        }
+        return least;
+    }
+
+    /// Unit, outward, by central differences of the distance.
+    Vec3<R> normal(const Vec3<R>& p) const {
+        if (!closed()) return axis_;
+        const R h = R(1e-7) * size_;
+        Vec3<R> g;
+        for (int i = 0; i < 3; ++i) {
+            Vec3<R> before = p, after = p;
+            before[i] -= h;
+            after[i] += h;
+            g[i] = distance(after) - distance(before);
+        }
+        return unit(g);
+    }
+
+    /// From a point of the surface to the nearest edge or apex, where the normal jumps.
+    R toEdge(const Vec3<R>& p) const {
+        if (kind_ == ShapeKind::Box) {
+            R away[] = {abs(abs(p.x) - half_.x), abs(abs(p.y) - half_.y), abs(abs(p.z) - half_.z)};
+            std::sort(away, away + 3);
+            return away[1];
+        }
+        const Profile q = profile(p);
+        if (kind_ == ShapeKind::Cylinder) return hypotenuse(q.away - radius_, halfLength_ - abs(q.along));
+        if (kind_ != ShapeKind::Cone) return R(1e30);
+        return std::min<R>(hypotenuse(q.away - radius_, q.along + halfLength_),
+                           hypotenuse(q.away, q.along - halfLength_));
+    }
+
+    /// The smallest radius of curvature about a point of the surface; of a flat body its smallest height.
+    R bend(const Vec3<R>& p) const {
+        switch (kind_) {
+        case ShapeKind::Torus: return std::min<R>(minor_, radius_ - minor_);
+        case ShapeKind::Cylinder:
+        case ShapeKind::Capsule: return radius_;
+        case ShapeKind::Cone: {
+            const Profile q = profile(p);
+            const bool base = toBase(q) <= toSide(q);
+            return base ? radius_ : std::min<R>(radius_, q.away);
+        }
+        case ShapeKind::Triangle: {
+            const Vec3<R> a = vertices_[1] - vertices_[0], b = vertices_[2] - vertices_[1],
+                          c = vertices_[0] - vertices_[2];
+            return length(cross(a, b)) / std::max<R>(length(a), std::max<R>(length(b), length(c)));
+        }
+        default: return size_;
+        }
+    }
+
+  private:
+    /// In the half plane of the axis: away from it, and along it from the middle.
+    struct Profile {
+        R away, along;
+    };
+
+    static R abs(const R& x) { return x < 0 ? -x : x; }
+    static R hypotenuse(const R& a, const R& b) {
+        using std::sqrt;
+        return sqrt(a * a + b * b);
+    }
+    Profile profile(const Vec3<R>& p) const {
+        const R along = dot(p, axis_);
+        return {length(p - along * axis_), along};
+    }
+    static R boxDistance(const R& x, const R& y, const R& z) {
+        using std::sqrt;
+        const R ox = std::max<R>(x, 0), oy = std::max<R>(y, 0), oz = std::max<R>(z, 0);
+        return sqrt(ox * ox + oy * oy + oz * oz) + std::min<R>(std::max<R>(x, std::max<R>(y, z)), 0);
+    }
+    static R toStretch(const R& x, const R& y, const R& ax, const R& ay, const R& bx, const R& by) {
+        const R dx = bx - ax, dy = by - ay;
+        const R part = std::clamp<R>(((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy), 0, 1);
+        return hypotenuse(x - ax - part * dx, y - ay - part * dy);
+    }
+    R coneDistance(const Profile& q) const {
+        const R y = q.along + halfLength_, whole = 2 * halfLength_; // from the base up
+        const bool inside = y > 0 && y < whole && q.away * whole < radius_ * (whole - y);
+        const R away = std::min<R>(toBase(q), toSide(q));
+        return inside ? R(-away) : away;
+    }
+    R toBase(const Profile& q) const { return toStretch(q.away, R(q.along + halfLength_), R(0), R(0), radius_, R(0)); }
+    R toSide(const Profile& q) const {
+        return toStretch(q.away, R(q.along + halfLength_), radius_, R(0), R(0), R(2 * halfLength_));
+    }
+    R sizeOf() const {
+        switch (kind_) {
+        case ShapeKind::Sphere:
+        case ShapeKind::Disc: return radius_;
+        case ShapeKind::Torus: return radius_ + minor_;
+        case ShapeKind::Box: return length(half_);
+        case ShapeKind::Capsule: return halfLength_ + radius_;
+        case ShapeKind::Cylinder:
+        case ShapeKind::Cone: return hypotenuse(halfLength_, radius_);
+        case ShapeKind::Triangle:
+            return std::max<R>(length(vertices_[0]), std::max<R>(length(vertices_[1]), length(vertices_[2])));
+        case ShapeKind::Plane:
+        case ShapeKind::LargeSphere:      // a sphere to its scene
+        case ShapeKind::Mandelbulb: // told by their distances only
+        case ShapeKind::Solid: break;
+        }
+        return R(1);
+    }
+
+    ShapeKind kind_;
+    Vec3<Wide<R>> middle_;
+    Vec3<R> vertices_[3], axis_, half_;
+    R radius_ = 0, minor_ = 0, halfLength_ = 0, size_ = 1;
+};
+
+} // namespace gnomon::oracle

@@ -1,0 +1,65 @@
+#include "lab/reference/exact/scene_hit.h"
+
+#include "lab/reference/exact/exact_hit.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gnomon::oracle {
+namespace {
+
+Vec asInShader(glm::dvec3 v) { return Vec(glm::vec3(v)); }
+Vec toGlm(const Vec3<long double>& v) { return {v.x, v.y, v.z}; }
+
+SceneHit described(int object, const SceneBody& body, const ExactHit<long double>& exact, Vec direction) {
+    SceneHit hit;
+    hit.object = object;
+    hit.t = exact.t;
+    hit.point = toGlm(body.middle() + exact.point);
+    hit.normal = toGlm(exact.normal);
+    const bool against = glm::dot(hit.normal, direction) <= 0;
+    if (!against) hit.normal = -hit.normal;
+    hit.outside = body.closed() ? !exact.inside : against;
+    if (!body.closed()) return hit;
+    hit.edge = body.toEdge(exact.point);
+    if (body.kind() == ShapeKind::Cone) hit.turn = 1 / body.bend(exact.point);
+    return hit;
+}
+
+} // namespace
+
+std::vector<SceneBody> bodiesOf(const Scene& scene, double time) {
+    const std::vector<Shape> shapes = shapesAt(scene, time);
+    const std::vector<ShapeKind> drawn = drawnKinds(scene);
+    std::vector<SceneBody> bodies;
+    for (std::size_t i = 0; i < shapes.size(); ++i)
+        bodies.emplace_back(shapes[i], drawn[i] == ShapeKind::LargeSphere ? Numbers::OfTheScene : Numbers::OfTheShader);
+    return bodies;
+}
+
+SceneHit nearestHit(const std::vector<SceneBody>& bodies, Vec origin, Vec direction) {
+    SceneHit hit;
+    long double margin = hit.margin;
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        const auto line = lineOf(bodies[i], Vec3<long double>(origin), Vec3<long double>(direction));
+        const ExactHit<long double> exact = exactHit(bodies[i], line);
+        margin = std::min(margin, exact.tangency);
+        if (!exact.hit) continue;
+        // Two surfaces at nearly one distance: which is first may be rounding.
+        if (hit.object >= 0) margin = std::min(margin, std::abs(exact.t - hit.t));
+        if (hit.object < 0 || exact.t < hit.t) hit = described(int(i), bodies[i], exact, direction);
+    }
+    hit.margin = margin;
+    return hit;
+}
+
+void pixelRay(const CameraPose& pose, int x, int y, int width, int height, Vec& origin, Vec& direction) {
+    const CameraFrame frame = frameOf(pose);
+    const long double u = 2 * (x + 0.5L) / width - 1, v = 1 - 2 * (y + 0.5L) / height;
+    const glm::dvec3 right = frame.right * frame.halfHeight * (double(width) / height);
+    origin = asInShader(frame.eye);
+    direction =
+        glm::normalize(asInShader(frame.forward) + u * asInShader(right) + v * asInShader(frame.up * frame.halfHeight));
+}
+
+} // namespace gnomon::oracle

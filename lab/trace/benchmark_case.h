@@ -1,0 +1,58 @@
+/// A scene as it is drawn in one way: what a frame costs, what work it is, what the program took; and cases that
+/// take turns, so that what disturbs the machine disturbs all alike.
+#pragma once
+
+#include "native/file/asset_folder.h"
+#include "lab/progress.h"
+#include "lab/results/quartiles.h"
+#include "tracer/render/renderer.h"
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace gnomon {
+
+/// Of `--aov=work` (docs/outputs.md), means over the picture's pixels.
+struct Work {
+    double boxes = 0, objects = 0, shadowRays = 0;
+};
+
+class BenchmarkCase {
+  public:
+    /// Compiles; problems where the scene cannot be drawn so.
+    BenchmarkCase(const Scene&, const NamedImages&, const Settings&, std::span<const ShaderFile> overrides, Problems&);
+
+    /// Seconds on `clock` from asking for a frame to its last pixel.
+    double draw(const View&, double (*clock)());
+    /// Compiles a program that counts instead of showing.
+    std::optional<std::vector<Work>> count(std::span<const View>, Problems&);
+    /// The output that `settings` name; back to what it drew before. Empty, with problems, where that fails.
+    FloatImage read(const Settings&, const View&, Problems&);
+    /// The same of what a window would show.
+    Image picture(const Settings&, const View&, Problems&);
+    /// Other numbers from here on: no setting that needs another program.
+    void use(const Settings& settings) { renderer_.configure(settings_ = settings); }
+    const ProgramStats& program() const { return program_; }
+
+  private:
+    Renderer renderer_;
+    Settings settings_;
+    ProgramStats program_;
+};
+
+/// One turn of every entrant, forth in even rounds and back in odd ones, so that what grows during a round favours
+/// nobody. False once the user wants no more: the entrants left have had no turn.
+bool takeRound(std::size_t entrants, int round, const std::function<void(std::size_t entrant)>& turn, LabProgress&);
+
+struct Entrant {
+    BenchmarkCase* benchmarkCase;
+    View view;
+    const Settings* settings = nullptr; ///< to be used for this turn; null: what it was made with
+};
+
+/// Seconds of each entrant in each round, once an unmeasured frame has been drawn. Only whole rounds: fewer, or none,
+/// where the user wants no more.
+std::vector<std::vector<double>> race(std::span<const Entrant>, int rounds, double (*clock)(), LabProgress&);
+
+} // namespace gnomon

@@ -1,0 +1,234 @@
+#include "lab/trace/trace_lab.h"
+
+#include "lab/reference/textbook/textbook.h"
+#include "lab/reference/textbook/source_scene.h"
+#include "tracer/clock.h"
+#include "tracer/render/program_cache.h"
+#include "tracer/plan/scene_packer.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <memory>
+
+namespace gnomon {
+namespace {
+
+constexpr std::array kSceneWays{TraceWay{Accel::None, DataPath::Block},
+                                TraceWay{Accel::Hierarchy, DataPath::Block},
+                                TraceWay{Accel::Auto, DataPath::Block},
+                                TraceWay{Accel::None, DataPath::Texture},
+                                TraceWay{Accel::Hierarchy, DataPath::Texture},
+                                TraceWay{Accel::Auto, DataPath::Texture},
+                                TraceWay{.data = DataPath::Texture, .parts = true},
+                                TraceWay{.accel = Accel::None, .source = true}};
+
+constexpr double kFrameSeconds = 1.0 / 60;
+
+/// Without the plain loop where it takes too long.
+std::vector<TraceWay> waysFor(int spheres) {
+    std::vector<TraceWay> ways{{Accel::Hierarchy, DataPath::Texture}, {Accel::Auto, DataPath::Texture}};
+    if (spheres <= kMostLooped) ways.insert(ways.begin(), {Accel::None, DataPath::Texture});
+    return ways;
+}
+
+/// Beside the scene's own camera.
+struct FurtherView {
+    const char *scene, *name;
+    glm::dvec3 eye, target;
+};
+constexpr std::array kFurtherViews{FurtherView{"pro", "over the balls", {0, 6, 24}, {0, -7, 12}},
+                                   FurtherView{"pro", "glass cube", {16, 3, 14}, {8, 0, 0}}};
+
+/// Numbers of spheres in the scenes, which of a lattice may be the same for several `counts`.
+std::vector<int> numbersOf(Arrangement arrangement, std::vector<int> counts) {
+    for (int& count : counts) count = spheresIn(arrangement, count);
+    std::sort(counts.begin(), counts.end());
+    counts.erase(std::unique(counts.begin(), counts.end()), counts.end());
+    return counts;
+}
+
+struct NamedView {
+    std::string name;
+    View view;
+};
+
+std::vector<NamedView> viewsOf(const Scene& scene, glm::ivec2 size) {
+    std::vector<NamedView> views{{scene.name, {scene.camera, 0, size.x, size.y}}};
+    for (const FurtherView& further : kFurtherViews)
+        if (scene.name == further.scene) {
+            CameraPose camera = scene.camera;
+            camera.eye = further.eye;
+            camera.target = further.target;
+            views.push_back({scene.name + ", " + further.name, {camera, 0, size.x, size.y}});
+        }
+    return views;
+}
+
+std::string latticeText(glm::ivec3 cells) {
+    return "lattice " + std::to_string(cells.x) + "x" + std::to_string(cells.y) + "x" + std::to_string(cells.z);
+}
+
+/// Kinds that are asked one by one go without saying.
+std::string searchOf(const Features& features) {
+    constexpr std::array names{"loop", "sieve", "hierarchy", "cells"}; // as Search
+    std::string text;
+    for (const KindCount& kind : features.shapes) {
+        if (kind.latticeMembers() == 0 && kind.search == Search::Loop) continue;
+        text += (text.empty() ? "" : "; ") + std::string(shapeRow(kind.kind).key) + ": ";
+        if (kind.latticeMembers() > 0) text += latticeText(kind.lattice) + (kind.loose() > 0 ? ", " : "");
+        if (kind.loose() > 0) text += names[std::size_t(kind.search)];
+    }
+    return text.empty() ? "loop" : text;
+}
+
+/// Median milliseconds of one core for `work`, often enough for the clock.
+double millisecondsOf(int rounds, const std::function<void()>& work) {
+    std::vector<double> all;
+    for (int round = 0; round < rounds; ++round) {
+        const double start = processSeconds();
+        int times = 0;
+        while (processSeconds() - start < 1e-3 || times == 0) {
+            work();
+            ++times;
+        }
+        all.push_back(1e3 * (processSeconds() - start) / times);
+    }
+    return quartilesOf(all).median;
+}
+
+} // namespace
+
+std::string nameOf(const TraceWay& way) {
+    if (way.source) return "source";
+    if (way.parts) return "parts";
+    return way.accel == Accel::None ? "none" : way.accel == Accel::Hierarchy ? "hierarchy" : "auto";
+}
+
+std::string dataOf(const TraceWay& way) { return way.data == DataPath::Block ? "block" : "texture"; }
+
+TraceLab::TraceLab(const Settings& settings, int rounds, double (*clock)(), std::optional<glm::ivec2> pictures)
+    : settings_(settings), rounds_(rounds), clock_(clock), pictures_(pictures) {}
+
+std::size_t TraceLab::picturesOf(const Scene& scene) { return kSceneWays.size() * viewsOf(scene, {1, 1}).size(); }
+
+std::size_t TraceLab::picturesOf(Arrangement arrangement, const std::vector<int>& counts) {
+    std::size_t all = 0;
+    for (const int number : numbersOf(arrangement, counts)) all += waysFor(number).size();
+    return all;
+}
+
+Settings TraceLab::settingsFor(const TraceWay& way) const {
+    Settings settings = settings_;
+    settings.accel = way.accel;
+    settings.data = way.data;
+    settings.parts = way.parts ? Parts::On : Parts::Off;
+    return settings;
+}
+
+Features TraceLab::featuresFor(const Scene& scene, const TraceWay& way) const {
+    return featuresOf(scene, settingsFor(way), targetOf(info_));
+}
+
+bool TraceLab::fits(const Scene& scene, const TraceWay& way) const {
+    return way.data == DataPath::Texture || sceneTexels(featuresFor(scene, way)) <= targetOf(info_).blockTexels;
+}
+
+std::size_t TraceLab::stepsOf(const Scene& scene) const {
+    return kSceneWays.size() * (1 + viewsOf(scene, settings_.size).size() * std::size_t(rounds_ + 1));
+}
+
+std::size_t TraceLab::stepsOf(Arrangement arrangement, const std::vector<int>& counts) const {
+    return picturesOf(arrangement, counts) * std::size_t(rounds_ + 2);
+}
+
+std::optional<TraceLab::Prepared> TraceLab::prepare(const Scene& scene, const NamedImages& images, const TraceWay& way,
+                                                    std::span<const View> views, Problems& problems) const {
+    const auto overrides = way.source ? sourceShaders() : std::span<const ShaderFile>{};
+    auto benchmarkCase = std::make_unique<BenchmarkCase>(scene, images, settingsFor(way), overrides, problems);
+    if (!problems.empty()) return std::nullopt;
+    const auto works = way.source ? std::nullopt : benchmarkCase->count(views, problems);
+    if (!problems.empty()) return std::nullopt;
+    TraceCost cost{way, {}, {}, benchmarkCase->program(), searchOf(featuresFor(scene, way)), {}};
+    std::vector<TraceCost> costs(views.size(), cost);
+    for (std::size_t i = 0; works && i < costs.size(); ++i) costs[i].work = (*works)[i];
+    for (std::size_t i = 0; pictures_ && i < costs.size(); ++i) {
+        View view = views[i];
+        view.width = pictures_->x;
+        view.height = pictures_->y;
+        costs[i].image = benchmarkCase->picture(settingsFor(way), view, problems);
+    }
+    if (!problems.empty()) return std::nullopt;
+    return Prepared{std::move(benchmarkCase), std::move(costs)};
+}
+
+std::vector<ViewCosts> TraceLab::measure(const Loaded& loaded, LabProgress& progress, Problems& problems) const {
+    const std::vector<NamedView> named = viewsOf(loaded.scene, settings_.size);
+    std::vector<View> views;
+    for (const NamedView& view : named) views.push_back(view.view);
+    std::vector<Prepared> all;
+    for (const TraceWay& way : kSceneWays) {
+        const Scene scene = way.source ? sourceScene(loaded.scene) : loaded.scene;
+        if (!fits(scene, way)) continue;
+        auto prepared = prepare(scene, loaded.images, way, views, problems);
+        if (!prepared) return {};
+        all.push_back(std::move(*prepared));
+        if (!progress.step()) return {};
+    }
+    std::vector<ViewCosts> costs;
+    for (std::size_t i = 0; i < views.size() && !LabProgress::interrupted(); ++i) {
+        std::vector<Entrant> entrants;
+        for (const Prepared& one : all) entrants.push_back({one.benchmarkCase.get(), views[i]});
+        const auto times = race(entrants, rounds_, clock_, progress);
+        if (times[0].empty()) break;
+        costs.push_back({named[i].name, {}});
+        for (std::size_t k = 0; k < all.size(); ++k) {
+            costs.back().ways.push_back(all[k].costs[i]);
+            costs.back().ways.back().seconds = times[k];
+        }
+    }
+    return costs;
+}
+
+std::vector<GrowthCosts> TraceLab::measure(Arrangement arrangement, const std::vector<int>& counts,
+                                           LabProgress& progress, Problems& problems) const {
+    std::vector<Prepared> all;
+    std::vector<Entrant> entrants;
+    std::vector<GrowthCosts> growth;
+    for (const int number : numbersOf(arrangement, counts)) {
+        const Scene scene = sphereScene(arrangement, number);
+        const View view{scene.camera, 0, settings_.size.x, settings_.size.y};
+        growth.push_back({arrangement, number, {}});
+        for (const TraceWay& way : waysFor(number)) {
+            auto prepared = prepare(scene, {}, way, {&view, 1}, problems);
+            if (!prepared) return {};
+            const Features features = featuresFor(scene, way);
+            growth.back().ways.push_back({prepared->costs[0], packMs(scene, features), loadMs(scene, way)});
+            entrants.push_back({prepared->benchmarkCase.get(), view});
+            all.push_back(std::move(*prepared));
+            if (!progress.step()) return {};
+        }
+    }
+    const auto times = race(entrants, rounds_, clock_, progress);
+    if (times[0].empty()) return {};
+    std::size_t entrant = 0;
+    for (GrowthCosts& spheres : growth)
+        for (GrowthCosts::Way& way : spheres.ways) way.cost.seconds = times[entrant++];
+    return growth;
+}
+
+double TraceLab::packMs(const Scene& scene, const Features& features) const {
+    ScenePacker packer(scene, originOf(scene));
+    double time = 0;
+    packer.pack(features, time, scene.camera.eye);
+    return millisecondsOf(rounds_, [&] { packer.pack(features, time += kFrameSeconds, scene.camera.eye); });
+}
+
+double TraceLab::loadMs(const Scene& scene, const TraceWay& way) const {
+    return millisecondsOf(rounds_, [&] {
+        const Features features = featuresFor(scene, way);
+        ScenePacker(scene, originOf(scene)).pack(features, 0, scene.camera.eye);
+    });
+}
+
+} // namespace gnomon

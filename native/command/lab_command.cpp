@@ -1,0 +1,60 @@
+/// gnomon lab: measurements of the tracer's own methods, speed beside error and counters.
+#include "native/command/lab_command.h"
+
+#include "native/command/commands.h"
+#include "native/report/report.h"
+
+#include <cstdio>
+#include <cstdlib>
+
+namespace gnomon {
+
+void addLabOptions(CLI::App& command, LabOptions& options) {
+    command.add_option("--context", options.context, "Where GL comes from [osmesa]")->type_name("osmesa|egl|window");
+    addFileOptions(command, options);
+}
+
+void addFileOptions(CLI::App& command, LabOptions& options) {
+    command.add_option("--json", options.json, "Write all numbers")->type_name("FILE");
+    command.add_option("--html", options.html, "Write tables and charts, as one page")->type_name("FILE");
+}
+
+void checkLabOptions(const LabOptions& options, Problems& problems) {
+    if (!contextNamed(options.context))
+        problems.push_back(wrongOption("context", "'" + options.context + "' is none of osmesa|egl|window", {}));
+}
+
+void checkFileOptions(const LabOptions& options, Problems& problems) {
+    for (const std::string& file : {options.json, options.html})
+        if (!file.empty()) checkTextFile(file, problems);
+}
+
+std::string listOption(const std::string& name, const std::vector<std::string>& values) {
+    std::string text;
+    for (const std::string& value : values) text += (text.empty() ? " --" + name + "=" : ",") + value;
+    return text;
+}
+
+void compileFromNothing() {
+    for (const char* name : {"MESA_SHADER_CACHE_DISABLE", "MESA_GLSL_CACHE_DISABLE"}) setenv(name, "true", 1);
+    setenv("__GL_SHADER_DISK_CACHE", "0", 1); // NVIDIA's
+}
+
+void printEnvironment(const Environment& environment) {
+    for (const auto& [name, value] : environment) std::printf("%-10s %s\n", name.c_str(), value.c_str());
+}
+
+void writeResults(const LabOptions& options, const Results& results, Problems& problems) {
+    if (!options.json.empty()) writeText(options.json, toJson(results), problems);
+    if (!options.html.empty()) writeText(options.html, toHtml({&results, 1}), problems);
+}
+
+void addLab(CLI::App& app, Task& task) {
+    auto* lab = app.add_subcommand("lab", "Measures the tracer's own methods: speed beside error and counters");
+    lab->require_subcommand(1);
+    addIntersectLab(*lab, task);
+    addTraceLab(*lab, task);
+    addShadowLab(*lab, task);
+}
+
+} // namespace gnomon

@@ -1,0 +1,123 @@
+/// gnomon report: results of several runs as one page, or two runs held against each other.
+#include "native/command/commands.h"
+#include "native/report/report.h"
+#include "lab/results/compare.h"
+#include "lab/results/read_results.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <memory>
+
+namespace gnomon {
+
+namespace {
+
+struct ReportOptions {
+    std::vector<std::string> files;
+    std::string against, page, json;
+    double tolerance = 5; ///< percent
+};
+
+std::optional<Results> readFile(const std::string& file, Problems& problems) {
+    std::error_code ignored;
+    std::ifstream in(file, std::ios::binary);
+    if (!in || std::filesystem::is_directory(file, ignored)) {
+        problems.push_back({file, 0, {}, in ? "is a folder" : "cannot be read", "give a file of results"});
+        return std::nullopt;
+    }
+    return readResults(std::string{std::istreambuf_iterator<char>(in), {}}, file, problems);
+}
+
+std::vector<Results> readFiles(const std::vector<std::string>& files, Problems& problems) {
+    std::vector<Results> all;
+    for (const std::string& file : files)
+        if (auto results = readFile(file, problems)) all.push_back(std::move(*results));
+    return all;
+}
+
+void checkOptions(const ReportOptions& options, Problems& problems) {
+    if (options.against.empty() && options.page.empty())
+        problems.push_back(
+            wrongOption("output", "there is nowhere to write to", "use -o report.html, or --against OLD.json"));
+    if (!options.against.empty() && options.files.size() != 1)
+        problems.push_back(wrongOption("against", std::to_string(options.files.size()) + " files are held against it",
+                                       "give one: gnomon report --against OLD.json NEW.json"));
+    if (options.against.empty() && !options.json.empty())
+        problems.push_back(wrongOption("json", "only a comparison is written as JSON", "add --against OLD.json"));
+    if (!(options.tolerance >= 0 && options.tolerance < 100))
+        problems.push_back(
+            wrongOption("tolerance", toString(options.tolerance) + " is out of range", "use 0…99 per cent"));
+    for (const std::string& file : {options.page, options.json})
+        if (!file.empty()) checkTextFile(file, problems);
+}
+
+int writePage(const ReportOptions& options, const std::vector<Results>& runs, Problems& problems) {
+    if (options.page.empty()) return kDone;
+    if (!writeText(options.page, toHtml(runs), problems)) return fail(kInputWrong, problems);
+    std::printf("%s written\n", options.page.c_str());
+    return kDone;
+}
+
+void print(const Table& table) { std::printf("\n%s\n\n%s", table.title.c_str(), toMarkdown(table).c_str()); }
+
+/// The summary comes last, where a terminal's reader looks first.
+void print(const Results& comparison) {
+    for (const auto& [name, value] : comparison.environment) std::printf("%-10s %s\n", name.c_str(), value.c_str());
+    for (std::size_t i = 1; i < comparison.tables.size(); ++i) print(comparison.tables[i]);
+    print(comparison.tables.front());
+}
+
+/// The comparison comes first on the page, then both runs.
+int compareFiles(const ReportOptions& options) {
+    Problems problems;
+    std::vector<Results> runs = readFiles({options.files.front(), options.against}, problems);
+    if (!problems.empty()) return fail(kInputWrong, problems);
+    Results comparison = compareRuns(runs[1], runs[0], options.tolerance / 100, problems);
+    for (Problem& problem : problems) problem.file = options.files.front();
+    if (!problems.empty()) return fail(kInputWrong, problems);
+    comparison.command = "gnomon report --against " + options.against + " " + options.files.front() +
+                         " --tolerance=" + toString(options.tolerance);
+    comparison.environment.emplace_back("tolerance", "times and ratios " + toString(options.tolerance) +
+                                                         " % beyond noise, errors " + toString(100 * kErrorTolerance) +
+                                                         " %, counts none");
+    comparison.environment.emplace_back("confidence", "95 % for all intervals of a column together");
+    print(comparison);
+    if (!options.json.empty() && !writeText(options.json, toJson(comparison), problems))
+        return fail(kInputWrong, problems);
+    runs.insert(runs.begin(), std::move(comparison));
+    return writePage(options, runs, problems);
+}
+
+int report(const ReportOptions& options) {
+    Problems problems;
+    checkOptions(options, problems);
+    if (!problems.empty()) return fail(kCommandLineWrong, problems);
+    if (!options.against.empty()) return compareFiles(options);
+    const std::vector<Results> runs = readFiles(options.files, problems);
+    return problems.empty() ? writePage(options, runs, problems) : fail(kInputWrong, problems);
+}
+
+} // namespace
+
+void addReport(CLI::App& app, Task& task) {
+    auto options = std::make_shared<ReportOptions>();
+    auto* command = app.add_subcommand("report", "Makes one page of results, or holds two runs against each other");
+    command->add_option("FILES", options->files, "What `gnomon bench` and `gnomon lab` wrote with --json")
+        ->type_name("")
+        ->required();
+    command->add_option("-o,--output", options->page, "The page: one file that loads nothing")->type_name("FILE.html");
+    command
+        ->add_option("--against", options->against,
+                     "Says of each row whether it became faster or slower, better or worse")
+        ->type_name("OLD.json");
+    command
+        ->add_option("--tolerance", options->tolerance,
+                     "Per cent that times of one program may differ by beyond noise [5]")
+        ->type_name("PERCENT");
+    command->add_option("--json", options->json, "Write the comparison")->type_name("FILE");
+    command->callback([&task, options] { task = [options] { return report(*options); }; });
+}
+
+} // namespace gnomon

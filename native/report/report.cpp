@@ -1,0 +1,56 @@
+#include "native/report/report.h"
+
+#include "native/report/report_files.h"
+
+#include <filesystem>
+#include <fstream>
+
+namespace gnomon {
+namespace {
+
+/// Script text must not end its element, nor open a comment that swallows the end.
+std::string inScript(std::string text) {
+    for (std::size_t at = 0; (at = text.find("</", at)) != std::string::npos; at += 3) text.insert(at + 1, "\\");
+    for (std::size_t at = 0; (at = text.find("<!--", at)) != std::string::npos; at += 5) text.insert(at + 1, "\\");
+    return text;
+}
+
+void put(std::string& page, const std::string& mark, const std::string& text) {
+    page.replace(page.find(mark), mark.size(), text);
+}
+
+} // namespace
+
+std::string toHtml(std::span<const Results> runs) {
+    std::string list;
+    for (const Results& run : runs) list += (list.empty() ? "[" : ",\n") + toJson(run);
+    std::string page(reportFile("report.html"));
+    put(page, "/*style*/", std::string(reportFile("report.css")));
+    put(page, "/*chart*/", std::string(reportFile("chart.min.js")));
+    put(page, "/*report*/", std::string(reportFile("report.js")));
+    put(page, "/*results*/", inScript(list + "]"));
+    return page;
+}
+
+bool checkTextFile(const std::string& file, Problems& problems) {
+    const std::filesystem::path path(file), folder = path.parent_path();
+    std::error_code ignored;
+    const auto refuse = [&](const std::string& what, const char* remedy) {
+        problems.push_back({file, 0, {}, what, remedy});
+        return false;
+    };
+    if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
+        return refuse("there is no folder " + folder.string(), "make it first");
+    if (std::filesystem::is_directory(path, ignored)) return refuse("is a folder", "name a file");
+    return true;
+}
+
+bool writeText(const std::string& file, const std::string& text, Problems& problems) {
+    std::ofstream out(file, std::ios::binary);
+    out << text;
+    if (out.flush()) return true;
+    problems.push_back({file, 0, {}, "cannot be written", "choose a folder that exists and may be written to"});
+    return false;
+}
+
+} // namespace gnomon

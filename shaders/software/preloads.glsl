@@ -1,0 +1,42 @@
+// What is read at fixed places, read once before all loops, for GL that draws with the processor: Mesa's reads each number
+// for every lane of its own, a lane at a time, though it be the same for all, at every turn of a loop. A read that has been
+// made before it does not make again (.8 of the instructions of `pro`). On a GPU such reads are free, and the numbers would
+// hold registers all the way.
+//
+// preloads  the sum of what it reads: it has to be of use, or compilers leave the reads out
+vec4 preload() {
+    const int kMostLooped = 4; // of more a compiler keeps the loop: their places are fixed no longer
+    vec4 sum = frame.options + vec4(frame.limits) + vec4(frame.zero);
+#if !CUBEMAP
+    sum += frame.background;
+#endif
+#if DISTANCES
+    sum += vec4(frame.budget);
+#endif
+#for Shape in SHAPES
+#if $SHAPE_SEARCHED
+#if $SHAPE_SEARCH == HIERARCHY
+    for (int i = 0; i < 2; ++i) sum += sceneTexel(k$ShapeQuantisation + i);
+#elif $SHAPE_SEARCH == GRID
+    for (int i = 0; i < 2; ++i) sum += sceneTexel(k$ShapeGrid + i);
+#else
+    for (int i = k$ShapeLoose * k$ShapeTexels; i < k$ShapeCount * k$ShapeTexels; ++i) sum += sceneTexel(k$ShapeBase + i);
+#endif
+#if $SHAPE_LATTICE
+    for (int i = 0; i < 2; ++i) sum += sceneTexel(k$ShapeLattice + i);
+#endif
+#else
+    for (int i = 0; i < min(k$ShapeCount, kMostLooped) * k$ShapeTexels; ++i) sum += sceneTexel(k$ShapeBase + i);
+#endif
+#endfor
+#for Shape in UNCOMMON
+    for (int i = 0; i < k$ShapeCount * k$ShapeTexels; ++i) sum += sceneTexel(k$ShapeBase + i);
+#endfor
+#if LIGHTS
+    for (int i = 0; i < 2 * kLightCount; ++i) sum += sceneTexel(kLightBase + i);
+#endif
+#if GLOWS
+    for (int i = 0; i < 2 * kGlowCount; ++i) sum += sceneTexel(kGlowBase + i);
+#endif
+    return sum;
+}

@@ -1,0 +1,148 @@
+/// The one table of settings. Keys, command line, URL, panels, `--help`, `gnomon settings` and the README's table are
+/// all made from it. Adding a setting is a member of Settings and one row in settings.cpp.
+#pragma once
+
+#include "tracer/problem.h"
+#include "tracer/settings/shadow_models.h"
+
+#include <glm/glm.hpp>
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace gnomon {
+
+/// Which end shadow cones are marched from.
+enum class ConeOrigin { Surface, Light };
+
+/// How rays find the surface of a distance object.
+enum class March { Steps, Sphere, Cone, Relaxed };
+
+/// Outputs of the shader, see `--aov` in docs/outputs.md.
+enum class Aov { Color, Distance, Position, Normal, Object, Visibility, Work, Steps };
+/// Floats a pixel of an output: 3 for vectors and colours, 1 otherwise.
+int channelsOf(Aov);
+
+/// Where the shader finds the scene's numbers.
+enum class DataPath { Auto, Block, Texture };
+
+/// How rays find the objects that they meet: one after the other, by a hierarchy of boxes, or what costs less.
+enum class Accel { Auto, None, Hierarchy };
+
+/// Whether programs that lack what few pixels need draw where they can: as the GL has it, always, never.
+enum class Parts { Auto, On, Off };
+
+/// All settings with their defaults. What is optional and unset comes from the scene.
+struct Settings {
+    int depth = 4;
+    double threshold = 1.0 / 512.0;
+    ShadowModel shadows = ShadowModel::Hard;
+    double epsilon = 1.0 / 30;
+    int shadowSteps = 256;
+    ConeOrigin coneOrigin = ConeOrigin::Surface;
+    int samples = 64, firstSample = 0;
+    std::optional<double> lightRadius;
+    March march = March::Cone;
+    int marchSteps = 256;
+    bool glow = true;
+    bool normalMaps = true;
+    int colorMode = 5; ///< index into colorModes(): 5 = rgb
+    Aov aov = Aov::Color;
+    int light = 0;
+    double time = 0;
+    bool pause = false;
+    std::optional<glm::dvec3> eye, target;
+    std::optional<double> fov;
+    double speed = 10;
+    glm::ivec2 size{800, 600};
+    double scale = 1;
+    bool adapt = true;
+    bool vsync = true;
+    Accel accel = Accel::Auto;
+    DataPath data = DataPath::Auto;
+    Parts parts = Parts::Auto;
+
+    bool operator==(const Settings&) const = default;
+};
+
+/// What a change of a setting asks of the renderer.
+enum class Effect { Uniform, Rebuild, Resize, Host };
+
+struct BoolType {
+    bool Settings::*at;
+};
+struct IntType {
+    int Settings::*at;
+    int min, max;
+};
+struct RealType {
+    double Settings::*at;
+    double min, max;
+};
+struct OptionalRealType {
+    std::optional<double> Settings::*at;
+    double min, max;
+};
+struct OptionalPointType {
+    std::optional<glm::dvec3> Settings::*at;
+    double limit;
+};
+struct SizeType {
+    glm::ivec2 Settings::*at;
+    int min, max;   ///< of each side
+    int megapixels; ///< at most, so many times 1024 x 1024
+};
+struct ChoiceType {
+    std::vector<std::string_view> names;
+    int (*get)(const Settings&);
+    void (*set)(Settings&, int);
+    bool switches = false; ///< a hotkey goes to the first choice, and from there to the second: off and on
+};
+using SettingType =
+    std::variant<BoolType, IntType, RealType, OptionalRealType, OptionalPointType, SizeType, ChoiceType>;
+
+struct SettingRow {
+    std::string_view key; ///< on the command line and in URLs, as `normal-maps`
+    SettingType type;
+    std::string_view group;
+    std::string_view help;
+    double step = 0;            ///< for sliders; 0: none
+    std::string_view next = {}; ///< hotkey: switches, or goes one on; names as keyName() gives them
+    std::string_view previous = {};
+    Effect effect = Effect::Uniform;
+};
+
+std::span<const SettingRow> settingsTable();
+const SettingRow* findSetting(std::string_view key);
+
+/// The 27 channel triples rrr … bbb.
+std::span<const std::string_view> colorModes();
+
+/// The setting's value as text, such that setFromText gives it back; empty for an optional that is unset.
+std::string textOf(const SettingRow&, const Settings&);
+/// Values the setting takes, for people: `1…8`, `on|off`, `off|hard`.
+std::string rangeOf(const SettingRow&);
+/// Sets one setting from text. False, with a problem that names key, range and remedy, and nothing changed, where that
+/// cannot be. `place` is the problem's file: `command line`, `URL`, ….
+bool setFromText(Settings&, std::string_view key, std::string_view text, std::string_view place, Problems&);
+
+/// As who gives settings at `place` writes the key: `--depth` on the command line.
+std::string spelled(std::string_view place, std::string_view key);
+
+/// Applies a hotkey. Answers what to tell the user (`depth 5`), empty where the key is no setting's.
+std::string pressHotkey(Settings&, std::string_view key);
+
+/// `key=value` pairs joined by `&`, only what differs from the defaults.
+std::string toUrlQuery(const Settings&);
+/// The table itself as JSON, a list of rows: key, type (bool, int, real, point, size, choice), default (null: the
+/// scene's), min and max or names, range (for people), step (where it has one), group, help, hotkeys [next, previous],
+/// effect.
+std::string settingsJson();
+/// The table itself as the README shows it.
+std::string settingsMarkdown();
+
+} // namespace gnomon
