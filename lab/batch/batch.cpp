@@ -1,7 +1,7 @@
 #include "lab/batch/batch.h"
 
 #include "tracer/gl/objects.h"
-#include "tracer/render/program_cache.h"
+#include "tracer/shader/program_cache.h"
 #include "tracer/plan/scene_packer.h"
 #include "tracer/shader/shader_builder.h"
 

@@ -55,8 +55,7 @@ View BenchRun::viewOf(std::size_t entry) const {
 }
 
 void BenchRun::draw(std::size_t entry) {
-    const View view = viewOf(entry);
-    rendererOf(entry).drawRows(view, plan_.entries[entry].settings.scale, 0, view.height);
+    rendererOf(entry).drawAside(viewOf(entry), plan_.entries[entry].settings.scale);
 }
 
 std::size_t BenchRun::drawn() const {
@@ -88,10 +87,10 @@ BenchStep BenchRun::prepareOne(std::size_t entry, Problems& problems) {
     current_ = entry;
     if (!begun_ && !beginEntry(entry, problems)) return BenchStep::Stepped;
     Renderer& renderer = rendererOf(entry);
-    const ProgramState state = renderer.poll(problems);
-    begun_ = state == ProgramState::Compiling;
+    const Progress progress = renderer.poll(problems);
+    begun_ = progress.compiling();
     if (begun_) return BenchStep::Working;
-    if (state != ProgramState::Ready) return BenchStep::Stepped;
+    if (!progress.ready()) return BenchStep::Stepped;
     BenchCost& cost = costs_[entry];
     if (!cost.drawn) cost.program = renderer.stats();
     const double start = monotonicSeconds();
@@ -219,12 +218,8 @@ BenchStep BenchRun::takeGpuTime() {
 // --- a context that goes and comes back -----------------------------------------------------------------------------
 
 void BenchRun::contextLost() {
-    for (Renderers* renderers : {&renderers_, &before_}) {
-        for (const auto& [key, renderer] : *renderers) renderer->contextLost();
-        renderers->clear();
-    }
-    if (calibration_) calibration_->forget();
-    if (timer_) timer_->forget();
+    renderers_.clear();
+    before_.clear();
     gpuFrames_ = 0;
     begun_ = false;
     costs_[current_] = {};

@@ -51,13 +51,6 @@ double CalibrationWorkload::draw(double leastSeconds) {
     return drawOften(int(std::clamp(std::ceil(least / onceSeconds_), 1.0, 1000.0)));
 }
 
-void CalibrationWorkload::forget() {
-    for (gl::Program& program : programs_) program.forget();
-    vertexArray_.forget();
-    target_.framebuffer.forget();
-    target_.color.forget();
-}
-
 double CalibrationWorkload::drawOften(int times) {
     glBindVertexArray(vertexArray_.get());
     glBindFramebuffer(GL_FRAMEBUFFER, target_.framebuffer.get());

@@ -18,8 +18,6 @@ class CalibrationWorkload {
     /// Seconds of one picture, from asking for it to its last pixel: the mean of so many as take `leastSeconds` here,
     /// and those of the constructor.
     double draw(double leastSeconds = 0);
-    /// Forgets its GL objects, which are gone with a lost context.
-    void forget();
 
   private:
     double drawOften(int times);

@@ -3,7 +3,7 @@
 #include "lab/reference/textbook/textbook.h"
 #include "lab/reference/textbook/source_scene.h"
 #include "tracer/clock.h"
-#include "tracer/render/program_cache.h"
+#include "tracer/shader/program_cache.h"
 #include "tracer/plan/scene_packer.h"
 
 #include <algorithm>

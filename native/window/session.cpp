@@ -2,6 +2,7 @@
 
 #include "native/file/image_file.h"
 #include "tracer/gl/gl.h"
+#include "tracer/gl/read_top_down.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -13,18 +14,6 @@ namespace gnomon {
 namespace {
 
 constexpr double kNewsSeconds = 2;
-
-/// The window's pixels, row 0 = top.
-Image readWindow(int width, int height) {
-    Image upsideDown{width, height, std::vector<std::uint8_t>(std::size_t(width) * height * 4)}, image = upsideDown;
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
-    glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, upsideDown.rgba.data());
-    const std::ptrdiff_t row = std::ptrdiff_t(width) * 4;
-    for (int y = 0; y < height; ++y)
-        std::copy_n(upsideDown.rgba.begin() + y * row, row, image.rgba.begin() + (height - 1 - y) * row);
-    return image;
-}
 
 std::string freeName() {
     char name[32];
@@ -98,8 +87,8 @@ void Session::writeScreenshot(int width, int height) {
     Problems problems;
     if (name.empty())
         problems.push_back({"gnomon-NNN.png", 0, {}, "all 999 names are taken", "move some screenshots away"});
-    else if (writeImage(name, readWindow(width, height), problems))
-        say("screenshot " + name);
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, 0);
+    if (!name.empty() && writeImage(name, gl::readTopDown(width, height), problems)) say("screenshot " + name);
     complain(problems);
 }
 

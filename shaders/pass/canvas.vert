@@ -2,10 +2,10 @@
 // from 3 on is a point as large as a tile, and lies outside where all pixels of its tile are drawn. There is no vertex data:
 // all comes from the vertex's number. A point that is not drawn is the one branch that every driver has.
 //
-// drawn  depths: 1.0 where nothing is
-// kTile  pixels along a side of a tile
+// covered  the coverage mask: 0 where nothing is drawn yet
+// kTile    pixels along a side of a tile
 #if TILES
-uniform sampler2D drawn;
+uniform sampler2D covered;
 
 // Tiles at the ends of rows and columns overlap their neighbours instead of the canvas' edge.
 ivec2 cornerOf(int tile, ivec2 canvas) {
@@ -15,14 +15,14 @@ ivec2 cornerOf(int tile, ivec2 canvas) {
 
 bool anyLeft(ivec2 corner, ivec2 canvas) {
     ivec2 end = min(corner + kTile, canvas);
-    float deepest = 0.0;
+    float least = 1.0;
     for (int y = corner.y; y < end.y; ++y)
-        for (int x = corner.x; x < end.x; ++x) deepest = max(deepest, texelFetch(drawn, ivec2(x, y), 0).r);
-    return deepest == 1.0;
+        for (int x = corner.x; x < end.x; ++x) least = min(least, texelFetch(covered, ivec2(x, y), 0).r);
+    return least == 0.0;
 }
 
 vec4 tileAt(int tile) {
-    ivec2 canvas = textureSize(drawn, 0);
+    ivec2 canvas = textureSize(covered, 0);
     ivec2 corner = cornerOf(tile, canvas);
     vec2 middle = (2.0 * vec2(corner) + float(kTile)) / vec2(canvas) - 1.0;
     return anyLeft(corner, canvas) ? vec4(min(middle, 1.0), 0.0, 1.0) : vec4(2.0, 2.0, 0.0, 1.0);

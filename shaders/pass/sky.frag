@@ -1,15 +1,14 @@
-// One pixel whose ray from the eye meets nothing: tracer/software/screen_partition.h says which do. As the tree would draw it.
+// One pixel of the linear picture whose ray from the eye meets nothing: tracer/software/screen_partition.h says which do. As the
+// tree would draw it.
 #include "frame.glsl"
 #include "scene.glsl"
 #include "ray/ray.glsl"
 #include "ray/primary.glsl"
+#include "pass/linear_picture.glsl"
 #include "shade/sky.glsl"
 #if GLOWS
 #include "shade/glow.glsl"
 #endif
-#include "shade/encode.glsl"
-
-out vec4 outColor;
 
 void main() {
     Ray ray = primaryRay();
@@ -17,6 +16,5 @@ void main() {
 #if GLOWS
     color = glowAlong(ray, kFar) + color;
 #endif
-    color = chooseChannels(color);
-    outColor = vec4(frame.limits.z == 1 ? encode(color) : color, 1.0);
+    store(vec4(color, 1.0));
 }

@@ -70,26 +70,25 @@ double nanoseconds(GLuint query, Function getResult) {
 } // namespace
 
 GpuTimer::GpuTimer(Resolver resolver) {
-    if (hasTimers(resolver, function_)) glGenQueries(1, &query_);
-}
-
-GpuTimer::~GpuTimer() {
-    if (query_ != 0) glDeleteQueries(1, &query_);
+    if (!hasTimers(resolver, function_)) return;
+    GLuint name = 0;
+    glGenQueries(1, &name);
+    query_ = Query(name);
 }
 
 void GpuTimer::begin() {
-    if (query_ != 0) glBeginQuery(kTimeElapsed, query_);
+    if (query_) glBeginQuery(kTimeElapsed, query_.get());
 }
 
 void GpuTimer::end() {
-    if (query_ != 0) glEndQuery(kTimeElapsed);
+    if (query_) glEndQuery(kTimeElapsed);
 }
 
-bool GpuTimer::ready() { return query_ == 0 || hasResult(query_); }
+bool GpuTimer::ready() { return !query_ || hasResult(query_.get()); }
 
 std::optional<double> GpuTimer::seconds() {
-    if (query_ == 0) return std::nullopt;
-    const double result = nanoseconds(query_, function_);
+    if (!query_) return std::nullopt;
+    const double result = nanoseconds(query_.get(), function_);
     return result > 0 ? std::optional(1e-9 * result) : std::nullopt;
 }
 

@@ -1,7 +1,7 @@
 /// Seconds of the GPU, by the GL's timer queries where it has them.
 #pragma once
 
-#include "tracer/gl/gl.h"
+#include "tracer/gl/objects.h"
 
 #include <optional>
 
@@ -11,9 +11,6 @@ class GpuTimer {
   public:
     /// In the current context, which has to outlive it.
     explicit GpuTimer(Resolver);
-    ~GpuTimer();
-    GpuTimer(const GpuTimer&) = delete;
-    GpuTimer& operator=(const GpuTimer&) = delete;
 
     void begin();
     void end();
@@ -21,10 +18,9 @@ class GpuTimer {
     bool ready();
     /// Between the last begin() and end(), whose work is finished. None where this GL cannot tell.
     std::optional<double> seconds();
-    void forget() { query_ = 0; }
 
   private:
-    GLuint query_ = 0; ///< 0: there are no timers
+    Query query_; ///< empty: there are no timers
     Function function_ = nullptr;
 };
 

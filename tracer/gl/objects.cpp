@@ -7,9 +7,12 @@ namespace detail {
 void deleteTexture(GLuint name) { glDeleteTextures(1, &name); }
 void deleteBuffer(GLuint name) { glDeleteBuffers(1, &name); }
 void deleteFramebuffer(GLuint name) { glDeleteFramebuffers(1, &name); }
+void deleteRenderbuffer(GLuint name) { glDeleteRenderbuffers(1, &name); }
 void deleteVertexArray(GLuint name) { glDeleteVertexArrays(1, &name); }
 void deleteProgram(GLuint name) { glDeleteProgram(name); }
 void deleteShader(GLuint name) { glDeleteShader(name); }
+void deleteQuery(GLuint name) { glDeleteQueries(1, &name); }
+void deleteSync(GLsync sync) { glDeleteSync(sync); }
 } // namespace detail
 
 namespace {
@@ -70,6 +73,14 @@ Buffer makeUniformBuffer() {
     return Buffer(name);
 }
 
+Renderbuffer makeStencil(int width, int height) {
+    GLuint name = 0;
+    glGenRenderbuffers(1, &name);
+    glBindRenderbuffer(GL_RENDERBUFFER, name);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_STENCIL_INDEX8, width, height);
+    return Renderbuffer(name);
+}
+
 Texture makeImages(const Layers& layers, Texels texels) {
     Texture texture = makeTexture(GL_TEXTURE_2D_ARRAY, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
@@ -97,54 +108,47 @@ Texture makeDataTexture(int width, int height) {
     return texture;
 }
 
-Target makeTarget(int width, int height, GLenum format, bool coverage) {
-    Target target;
-    target.color = makeTexture(GL_TEXTURE_2D, GL_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE);
-    if (format == GL_RGBA32F) { // not filterable everywhere
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-        glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+namespace {
+
+/// Format and type in which texels of an internal format would come from the CPU: none do.
+struct Transfer {
+    GLenum format, type;
+};
+Transfer transferOf(GLenum format) {
+    switch (format) {
+    case GL_RGBA32F: return {GL_RGBA, GL_FLOAT};
+    case GL_RGBA32UI: return {GL_RGBA_INTEGER, GL_UNSIGNED_INT};
+    case GL_R8: return {GL_RED, GL_UNSIGNED_BYTE};
+    default: return {GL_RGBA, GL_UNSIGNED_BYTE};
     }
-    glTexImage2D(GL_TEXTURE_2D, 0, GLint(format), width, height, 0, GL_RGBA,
-                 format == GL_RGBA32F ? GL_FLOAT : GL_UNSIGNED_BYTE, nullptr);
+}
+
+} // namespace
+
+Target makeTarget(int width, int height, GLenum format) {
+    const GLint filter = format == GL_RGBA8 ? GL_LINEAR : GL_NEAREST; // floats are not filterable everywhere
+    const Transfer transfer = transferOf(format);
+    Target target{makeTexture(GL_TEXTURE_2D, filter, filter, GL_CLAMP_TO_EDGE), {}, width, height, format};
+    glTexImage2D(GL_TEXTURE_2D, 0, GLint(format), width, height, 0, transfer.format, transfer.type, nullptr);
     GLuint framebuffer = 0;
     glGenFramebuffers(1, &framebuffer);
     target.framebuffer = Framebuffer(framebuffer);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.color.get(), 0);
-    if (coverage) {
-        target.depth = makeTexture(GL_TEXTURE_2D, GL_NEAREST, GL_NEAREST, GL_CLAMP_TO_EDGE);
-        glTexImage2D(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT16, width, height, 0, GL_DEPTH_COMPONENT, GL_UNSIGNED_SHORT,
-                     nullptr);
-        glGenFramebuffers(1, &framebuffer);
-        target.coverage = Framebuffer(framebuffer);
-        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
-        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.color.get(), 0);
-        glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, target.depth.get(), 0);
-    }
     const bool complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    if (!complete) return {};
-    target.width = width;
-    target.height = height;
-    target.format = format;
-    return target;
+    return complete ? std::move(target) : Target{};
 }
 
 void Fence::set() {
-    clear();
-    sync_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    sync_ = Sync(glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0));
     glFlush();
 }
 
 bool Fence::passed() {
-    if (glClientWaitSync(sync_, GL_SYNC_FLUSH_COMMANDS_BIT, 0) == GL_TIMEOUT_EXPIRED) return false;
+    if (glClientWaitSync(sync_.get(), GL_SYNC_FLUSH_COMMANDS_BIT, 0) == GL_TIMEOUT_EXPIRED) return false;
     clear();
     return true;
-}
-
-void Fence::clear() {
-    if (sync_) glDeleteSync(sync_);
-    sync_ = nullptr;
 }
 
 Program::Program(const std::string& vertex, const std::string& fragment)
@@ -188,12 +192,6 @@ void Program::bindBlock(const char* block, GLuint binding) const {
 void Program::bindSampler(const char* sampler, GLint unit) const {
     const GLint location = glGetUniformLocation(program_.get(), sampler);
     if (location >= 0) glUniform1i(location, unit);
-}
-
-void Program::forget() {
-    vertex_.forget();
-    fragment_.forget();
-    program_.forget();
 }
 
 } // namespace gnomon::gl

@@ -1,6 +1,7 @@
-/// GL objects with an owner. forget() drops the name without touching GL: for a context that is gone.
+/// GL objects, each deleted with its owner, or lost with its context (generation.h).
 #pragma once
 
+#include "tracer/gl/generation.h"
 #include "tracer/gl/gl.h"
 #include "tracer/image.h"
 #include "tracer/layers.h"
@@ -12,45 +13,62 @@
 namespace gnomon::gl {
 
 /// A GL name that is deleted with its owner. `Delete` knows how.
-template<void (*Delete)(GLuint)>
-class Name {
+template<class Handle, void (*Delete)(Handle)>
+class Owned {
   public:
-    Name() = default;
-    explicit Name(GLuint name) : name_(name) {}
-    Name(Name&& other) noexcept : name_(std::exchange(other.name_, 0)) {}
-    Name& operator=(Name&& other) noexcept {
-        std::swap(name_, other.name_);
+    Owned() = default;
+    explicit Owned(Handle handle) : handle_(handle), generation_(generation()) {
+        if (handle_) detail::objectMade();
+    }
+    Owned(Owned&& other) noexcept { swap(other); }
+    Owned& operator=(Owned&& other) noexcept {
+        swap(other);
         return *this;
     }
-    ~Name() {
-        if (name_ != 0) Delete(name_);
+    ~Owned() {
+        if (!*this) return;
+        Delete(handle_);
+        detail::objectDeleted();
     }
-    GLuint get() const { return name_; }
-    explicit operator bool() const { return name_ != 0; }
-    void forget() { name_ = 0; }
+    /// Empty once its context is gone.
+    explicit operator bool() const { return handle_ && generation_ == generation(); }
+    Handle get() const { return *this ? handle_ : Handle{}; }
 
   private:
-    GLuint name_ = 0;
+    void swap(Owned& other) {
+        std::swap(handle_, other.handle_);
+        std::swap(generation_, other.generation_);
+    }
+
+    Handle handle_{};
+    unsigned generation_ = 0;
 };
 
 namespace detail {
 void deleteTexture(GLuint);
 void deleteBuffer(GLuint);
 void deleteFramebuffer(GLuint);
+void deleteRenderbuffer(GLuint);
 void deleteVertexArray(GLuint);
 void deleteProgram(GLuint);
 void deleteShader(GLuint);
+void deleteQuery(GLuint);
+void deleteSync(GLsync);
 } // namespace detail
 
-using Texture = Name<detail::deleteTexture>;
-using Buffer = Name<detail::deleteBuffer>;
-using Framebuffer = Name<detail::deleteFramebuffer>;
-using VertexArray = Name<detail::deleteVertexArray>;
-using ProgramName = Name<detail::deleteProgram>;
-using ShaderName = Name<detail::deleteShader>;
+using Texture = Owned<GLuint, detail::deleteTexture>;
+using Buffer = Owned<GLuint, detail::deleteBuffer>;
+using Framebuffer = Owned<GLuint, detail::deleteFramebuffer>;
+using Renderbuffer = Owned<GLuint, detail::deleteRenderbuffer>;
+using VertexArray = Owned<GLuint, detail::deleteVertexArray>;
+using ProgramName = Owned<GLuint, detail::deleteProgram>;
+using ShaderName = Owned<GLuint, detail::deleteShader>;
+using Query = Owned<GLuint, detail::deleteQuery>;
+using Sync = Owned<GLsync, detail::deleteSync>;
 
 VertexArray makeVertexArray();
 Buffer makeUniformBuffer();
+Renderbuffer makeStencil(int width, int height);
 
 /// Colour images hold sRGB-encoded light where the scene is linear; data images (normals, masks) never do.
 enum class Texels { Display, Srgb };
@@ -63,33 +81,29 @@ Texture makeCubemap(const std::vector<Image>& faces, Texels);
 /// RGBA32F texels in rows of `width`; read with texelFetch.
 Texture makeDataTexture(int width, int height);
 
-/// A colour target of its own; `format` is GL_RGBA8 or GL_RGBA32F. Empty where the GL cannot draw to it. Where depths
-/// are asked for, what is drawn into `noting` is noted in them; they can be read while the other framebuffer is bound.
+/// A colour target of its own, of GL_RGBA8, GL_R8, GL_RGBA32F or GL_RGBA32UI texels, read by texelFetch. Empty where the GL cannot
+/// draw to it.
 struct Target {
-    Texture color, depth;
-    Framebuffer framebuffer, coverage;
+    Texture color;
+    Framebuffer framebuffer;
     int width = 0, height = 0;
     GLenum format = 0;
+
+    explicit operator bool() const { return bool(framebuffer); }
 };
-Target makeTarget(int width, int height, GLenum format, bool coverage = false);
+Target makeTarget(int width, int height, GLenum format);
 
 /// Tells when the GPU has done what it was asked for so far, without waiting.
 class Fence {
   public:
-    Fence() = default;
-    Fence(const Fence&) = delete;
-    Fence& operator=(const Fence&) = delete;
-    ~Fence() { clear(); }
-
     void set();
-    bool isSet() const { return sync_ != nullptr; }
+    bool isSet() const { return bool(sync_); }
     /// The GPU has come past it; then it is no longer set.
     bool passed();
-    void clear();
-    void forget() { sync_ = nullptr; }
+    void clear() { sync_ = {}; }
 
   private:
-    GLsync sync_ = nullptr;
+    Sync sync_;
 };
 
 /// A program on its way: compile and link are asked for at once, and only looked at when done.
@@ -107,9 +121,9 @@ class Program {
     std::string linkLog() const;
 
     GLuint get() const { return program_.get(); }
+    explicit operator bool() const { return bool(program_); }
     void bindBlock(const char* block, GLuint binding) const;
     void bindSampler(const char* sampler, GLint unit) const; ///< the program must be in use
-    void forget();
 
   private:
     ShaderName vertex_, fragment_;

@@ -114,6 +114,7 @@ Features featuresOf(const Scene& scene, const Settings& settings, const GlslTarg
     Features features;
     features.output = settings.aov;
     features.es300 = target.es300;
+    features.floatTargets = target.floatTargets;
     features.iterationsCounted = !target.processor;
     features.preloads = target.processor && !target.swiftShader;
     features.cachedLoads = target.swiftShader;

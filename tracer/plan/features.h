@@ -59,6 +59,8 @@ struct Features {
     bool preloads = false;    ///< numbers at fixed places are read before all loops: shaders/software/preloads.glsl
     bool cachedLoads = false;         ///< they are held in variables instead: shaders/software/cached_loads.glsl
     bool es300 = true;         ///< prelude `#version 300 es`, else `330 core`
+    bool floatTargets = true;  ///< the linear picture is of floats, else of their bits: shaders/pass/linear_picture.glsl
+    bool coverageMask = false; ///< what is drawn is marked in a mask of its own: tracer/software/coverage.h
 
     int objects() const;
 };
@@ -70,6 +72,7 @@ struct GlslTarget {
     bool processor = false;   ///< the processor draws: indexing a block costs it more than a fetch from a texture
     bool swiftShader = false; ///< it does: draws a pixel before it tests the depth, reads again what it has read before
     int mostPoint = 64;       ///< side of the largest point in pixels
+    bool floatTargets = true; ///< can draw to RGBA32F
 };
 
 /// Pure: the same scene, settings and target give the same features. `settings.data` Auto takes a block where that

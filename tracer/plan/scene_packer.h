@@ -22,6 +22,7 @@
 
 namespace gnomon {
 
+inline constexpr int kDataWidth = 2048; ///< texels a row of the data texture, as shaders/scene.glsl reads it
 inline constexpr int kMaterialTexels = 6;
 inline constexpr int kLightTexels = 2;
 inline constexpr int kGlowTexels = 2;

@@ -1,41 +1,24 @@
-/// Draws a scene with the one shader: owns every GL object that takes, none of which the caller sees.
+/// Draws a scene with the one shader library: puts the passes in order and keeps what they draw with, GL objects that no caller sees.
 ///
 /// The order of use: setScene, setImage for what imagesOf(scene) names (a flat grey stands in until then), configure
 /// with the settings, then each frame poll() and draw(). All calls need the context the renderer was made in to be
-/// current.
+/// current; where that is lost, all that is needed is contextRestored() in the next.
 #pragma once
 
 #include "tracer/image.h"
 #include "tracer/problem.h"
-#include "tracer/plan/camera.h"
-#include "tracer/settings/settings.h"
+#include "tracer/render/progress.h"
+#include "tracer/render/view.h"
 #include "tracer/scene/scene.h"
+#include "tracer/settings/settings.h"
 #include "tracer/shader/library.h"
+#include "tracer/shader/program_cache.h"
 
 #include <memory>
 #include <span>
 #include <string>
 
 namespace gnomon {
-
-/// All that changes from frame to frame.
-struct View {
-    CameraPose camera;
-    double time = 0;
-    int width = 0, height = 0;
-
-    bool operator==(const View&) const = default;
-};
-
-/// How far the program for the wanted scene and settings has come.
-enum class ProgramState { None, Compiling, Ready, Failed };
-
-/// What a program cost and is.
-struct ProgramStats {
-    std::size_t sourceBytes = 0;
-    double buildMs = 0;   ///< specialising the source
-    double compileMs = 0; ///< from handing it to GL to the first finished draw
-};
 
 class Renderer {
   public:
@@ -53,40 +36,42 @@ class Renderer {
     /// Other overrides from here on, as in the constructor. What draws goes on until the new program is ready.
     void replaceShaders(std::span<const ShaderFile> overrides);
 
-    /// Chooses the program for the settings and starts to compile it where it is new; the old one draws on meanwhile.
+    /// Chooses the programs for the settings and starts to compile them where they are new; the old ones draw on meanwhile.
     void configure(const Settings&);
 
-    /// Lets compiling go on; problems of a failed compile (shader file, line, the driver's words) are added once.
-    ProgramState poll(Problems&);
-    /// poll() until the program is ready or has failed.
+    /// Lets compiling continue; problems of a failed compile (shader file, line, the driver's words) are added once.
+    Progress poll(Problems&);
+    /// poll() until the programs are ready or one has failed.
     bool finish(Problems&);
     bool canDraw() const;
 
-    /// Draws the picture at `scale` of its resolution and stretches it over the framebuffer object `framebuffer` (0 =
-    /// the window).
+    /// Draws the picture at `scale` of its resolution and shows it in the framebuffer object `framebuffer` (0 = the window),
+    /// stretched over all of it.
     void draw(const View&, double scale, unsigned framebuffer);
-    /// Draws rows `from` … `to` − 1 (0 = the lowest) of the picture at `scale`, aside: nothing is shown.
-    void drawRows(const View&, double scale, int from, int to);
-    /// Shows again what draw() drew last, and over its lowest `rows` what drawRows() has drawn.
-    void show(const View&, int rows, unsigned framebuffer);
+    /// The same into a framebuffer of its own, which stays bound: nothing is shown.
+    void drawAside(const View&, double scale);
+    /// Draws `rows` more of the picture at `scale` aside; nothing is shown. It begins anew where view or version() have changed.
+    void refine(const View&, double scale, int rows);
+    /// Share of that picture that is drawn.
+    double refined() const;
+    /// Shows again what draw() drew last, and over it the rows that refine() has drawn.
+    void show(const View&, unsigned framebuffer);
 
-    /// The GPU has not finished what draw() asked for last.
+    /// The GPU has not finished what draw() or refine() asked for last.
     bool busy();
-    /// Seconds from asking for the last finished draw() to its last pixel, as busy() saw it.
+    /// Seconds from asking for the last finished drawing to its last pixel, as busy() saw it.
     double drawSeconds() const;
     /// Counts what changes pictures beside the view: settings, images, programs.
     unsigned version() const;
-    /// Draws the output the settings name into float32, unclamped and not encoded, and reads it back.
+    /// Draws the output that the settings name into float32, neither clamped nor encoded, and reads it back.
     FloatImage readOutput(const View&, Problems&);
     /// Draws what a window would show, and reads it back.
     Image readPicture(const View&, Problems&);
 
-    ProgramStats stats() const;
-    const std::string& source() const; ///< of the program that draws now
+    ProgramStats stats() const;        ///< of the programs that trace
+    const std::string& source() const; ///< of the program that traces now
 
-    /// The GL objects are gone with a lost context: forget them without touching GL, then build all anew in the new
-    /// one.
-    void contextLost();
+    /// Builds all anew in a new context.
     void contextRestored();
 
   private:

@@ -142,7 +142,7 @@ bool Viewer::frame(double now, unsigned framebuffer, Problems& problems) {
     lastFrame_ = now;
     steer(seconds);
     if (!settings_.pause) settings_.time = std::fmod(settings_.time + seconds, kLastSecond);
-    renderer_.poll(problems);
+    progress_ = renderer_.poll(problems);
     if (!hasScene_ || width_ == 0 || height_ == 0 || !renderer_.canDraw()) return false;
     return drawFrame(now, framebuffer);
 }
@@ -160,7 +160,7 @@ bool Viewer::drawFrame(double now, unsigned framebuffer) {
     }
     const double scale = settings_.adapt ? std::min(settings_.scale, adaptive_.scale()) : settings_.scale;
     renderer_.draw(wanted, scale, framebuffer);
-    last_ = {wanted, renderer_.version(), scale, 0, true};
+    last_ = {wanted, renderer_.version(), scale, false, true};
     countFrame(now);
     return true;
 }
@@ -169,29 +169,33 @@ bool Viewer::drawFrame(double now, unsigned framebuffer) {
 void Viewer::learn() {
     if (!last_.unknown || renderer_.busy()) return;
     last_.unknown = false;
-    if (last_.rows > 0)
+    if (last_.band)
         adaptive_.tookBand(renderer_.drawSeconds());
     else if (last_.scale == adaptive_.scale())
         adaptive_.tookPicture(renderer_.drawSeconds());
 }
 
 void Viewer::refine(unsigned framebuffer) {
-    const int height = sharpHeight();
-    if (last_.rows < height) {
-        const int to = std::min(height, last_.rows + adaptive_.rows(height));
-        renderer_.drawRows(last_.view, settings_.scale, last_.rows, to);
-        last_.rows = to;
-        last_.unknown = true;
+    if (refined() < 1) {
+        renderer_.refine(last_.view, settings_.scale, adaptive_.rows(sharpHeight()));
+        last_.band = last_.unknown = true;
     }
     countFrom_ = -1; // a picture that stands has no rate
     fps_ = 0;
-    renderer_.show(last_.view, last_.rows, framebuffer);
+    renderer_.show(last_.view, framebuffer);
 }
 
-int Viewer::sharpHeight() const { return std::max(1, int(std::lround(last_.view.height * settings_.scale))); }
+int Viewer::sharpHeight() const { return scaled(last_.view, settings_.scale).height; }
 
-bool Viewer::sharp() const {
-    return last_.scale > 0 && (last_.scale >= settings_.scale || last_.rows >= sharpHeight());
+/// Share of the picture at full resolution that is drawn.
+double Viewer::refined() const { return last_.scale >= settings_.scale ? 1 : last_.band ? renderer_.refined() : 0; }
+
+bool Viewer::sharp() const { return last_.scale > 0 && refined() >= 1; }
+
+Progress Viewer::progress() const {
+    Progress progress = progress_;
+    progress.samples = last_.scale > 0 ? refined() : 0;
+    return progress;
 }
 
 double Viewer::shownScale() const { return sharp() ? settings_.scale : last_.scale; }

@@ -50,6 +50,8 @@ class Viewer {
     /// False while there is nothing to draw yet.
     bool frame(double now, unsigned framebuffer, Problems&);
 
+    /// How far all is, as of the last frame or poll.
+    Progress progress() const;
     bool sharp() const;        ///< the picture shown has all the resolution that the settings allow
     double shownScale() const; ///< its resolution over that of the canvas; 0 before the first
     double framesPerSecond() const { return fps_; } ///< over at least half a second; 0 before that, and while refining
@@ -58,7 +60,7 @@ class Viewer {
     Renderer& renderer() { return renderer_; }
     View view() const;
 
-    void contextLost() { renderer_.contextLost(); }
+    /// After a lost context (gl::contextLost()), in the next.
     void contextRestored() { renderer_.contextRestored(); }
 
   private:
@@ -70,6 +72,7 @@ class Viewer {
     void learn();
     void refine(unsigned framebuffer);
     int sharpHeight() const;
+    double refined() const;
     void countFrame(double now);
 
     Settings settings_;
@@ -79,18 +82,19 @@ class Viewer {
     Camera camera_;
     CameraPose home_; ///< the pose as the scene gave it
     Renderer renderer_;
+    Progress progress_;
     std::set<std::string> held_;
     bool hasScene_ = false;
     int width_ = 0, height_ = 0;
     double lastFrame_ = -1, countFrom_ = -1, fps_ = 0;
     int counted_ = 0;
 
-    /// What was drawn last, and how much of the same in full resolution since.
+    /// What was drawn last.
     struct Drawn {
         View view;
         unsigned version = 0;
         double scale = 0;
-        int rows = 0;
+        bool band = false;    ///< the last drawing was of the full resolution, a band of it
         bool unknown = false; ///< how long it took is not known yet
     };
     AdaptiveResolution adaptive_;

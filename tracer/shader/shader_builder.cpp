@@ -98,6 +98,8 @@ Names namesOf(const Features& f) {
         {"CACHED_LOADS", f.cachedLoads},
         {"FALLBACK", f.fallsBack},
         {"TILES", f.tile > 0},
+        {"FLOAT_TARGETS", f.floatTargets},
+        {"COVERAGE_MASK", f.coverageMask},
         {"SHADOWS", f.shadows != ShadowModel::Off},
         {"SHADOW_RAYS", shadowRow(f.shadows).rays},
         {"SHADOWS_IN_TREE", f.shadows == ShadowModel::Hard},

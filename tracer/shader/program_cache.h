@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tracer/gl/objects.h"
-#include "tracer/render/renderer.h"
+#include "tracer/plan/features.h"
 #include "tracer/shader/shader_builder.h"
 
 #include <functional>
@@ -17,16 +17,26 @@ namespace gnomon {
 
 /// Binding points and texture units that all programs use.
 inline constexpr GLuint kFrameBinding = 0, kSceneBinding = 1;
-inline constexpr int kDataUnit = 0, kSkyUnit = 1, kPaintUnit = 2, kNormalUnit = 3, kDrawnUnit = 4;
+inline constexpr int kDataUnit = 0, kSkyUnit = 1, kPaintUnit = 2, kNormalUnit = 3, kCoverageUnit = 4,
+                     kPictureUnit = 5;
 
 /// What shaders are written for where the GL is this one.
 GlslTarget targetOf(const gl::Info&);
+
+enum class CompileState { Compiling, Ready, Failed };
+
+/// What a program cost and is.
+struct ProgramStats {
+    std::size_t sourceBytes = 0;
+    double buildMs = 0;   ///< specialising the source
+    double compileMs = 0; ///< from handing it to GL to the first finished draw
+};
 
 /// One specialised program and what it took to make.
 struct CachedProgram {
     ShaderSource source;
     gl::Program program;
-    ProgramState state = ProgramState::Compiling;
+    CompileState state = CompileState::Compiling;
     ProgramStats stats;
     double started = 0; ///< seconds, monotonic clock
     gl::Fence drawn;    ///< passed when the first draw is done
@@ -48,10 +58,7 @@ class ProgramCache {
     std::shared_ptr<CachedProgram> get(const Features&, Problems&, std::string_view pass = "pass/trace.frag");
 
     /// Lets the program go on. `warmUp` draws one pixel with it: some drivers compile at the first draw, not at link.
-    ProgramState poll(CachedProgram&, const std::function<void()>& warmUp, Problems&);
-
-    /// Forgets all programs without touching GL.
-    void forget();
+    CompileState poll(CachedProgram&, const std::function<void()>& warmUp, Problems&);
 
   private:
     bool pollable_;

@@ -1,4 +1,4 @@
-#include "tracer/render/program_cache.h"
+#include "tracer/shader/program_cache.h"
 
 #include "tracer/clock.h"
 
@@ -23,14 +23,15 @@ void bindInterface(const CachedProgram& entry) {
     program.bindSampler("sky", kSkyUnit);
     program.bindSampler("paints", kPaintUnit);
     program.bindSampler("normals", kNormalUnit);
-    program.bindSampler("drawn", kDrawnUnit);
+    program.bindSampler("covered", kCoverageUnit);
+    program.bindSampler("picture", kPictureUnit);
 }
 
 } // namespace
 
 GlslTarget targetOf(const gl::Info& info) {
     return {info.maxUniformBlockSize / int(sizeof(glm::vec4)), info.essl300, gl::drawnByProcessor(info.renderer),
-            gl::drawnBySwiftShader(info.renderer), int(info.maxPointSize)};
+            gl::drawnBySwiftShader(info.renderer), int(info.maxPointSize), info.floatTargets};
 }
 
 std::shared_ptr<CachedProgram> ProgramCache::get(const Features& features, Problems& problems, std::string_view pass) {
@@ -43,7 +44,7 @@ std::shared_ptr<CachedProgram> ProgramCache::get(const Features& features, Probl
         return nullptr;
     }
     std::shared_ptr<CachedProgram>& entry = programs_[canvas.text + source.text];
-    if (entry) return entry;
+    if (entry && (entry->program || entry->state == CompileState::Failed)) return entry;
     entry = std::make_shared<CachedProgram>();
     entry->stats.sourceBytes = source.text.size();
     entry->started = monotonicSeconds();
@@ -53,13 +54,13 @@ std::shared_ptr<CachedProgram> ProgramCache::get(const Features& features, Probl
     return entry;
 }
 
-ProgramState ProgramCache::poll(CachedProgram& entry, const std::function<void()>& warmUp, Problems& problems) {
-    if (entry.state != ProgramState::Compiling) return entry.state;
+CompileState ProgramCache::poll(CachedProgram& entry, const std::function<void()>& warmUp, Problems& problems) {
+    if (entry.state != CompileState::Compiling) return entry.state;
     if (!entry.drawn.isSet()) {
         if (!entry.program.finished(pollable_)) return entry.state;
         if (!entry.program.linked()) {
             explain(entry, problems);
-            return entry.state = ProgramState::Failed;
+            return entry.state = CompileState::Failed;
         }
         bindInterface(entry);
         warmUp();
@@ -67,15 +68,7 @@ ProgramState ProgramCache::poll(CachedProgram& entry, const std::function<void()
     }
     if (!entry.drawn.passed()) return entry.state;
     entry.stats.compileMs = (monotonicSeconds() - entry.started) * 1e3;
-    return entry.state = ProgramState::Ready;
-}
-
-void ProgramCache::forget() {
-    for (auto& [text, entry] : programs_) {
-        entry->program.forget();
-        entry->drawn.forget();
-    }
-    programs_.clear();
+    return entry.state = CompileState::Ready;
 }
 
 } // namespace gnomon

@@ -1,0 +1,51 @@
+// One pixel from the linear picture (pass/linear_picture.glsl) as it is shown, or as it is read back: the last of the passes.
+//
+// picture        the linear picture, of the size of what is drawn
+// frame.limits.z 1: shown, each output made visible in [0, 1]; 0: its values as docs/outputs.md tells them
+#include "frame.glsl"
+#include "shade/encode.glsl"
+
+#if FLOAT_TARGETS
+uniform sampler2D picture;
+vec4 loadLinear(ivec2 at) { return texelFetch(picture, at, 0); }
+#else
+uniform highp usampler2D picture;
+vec4 loadLinear(ivec2 at) { return uintBitsToFloat(texelFetch(picture, at, 0)); }
+#endif
+
+layout(location = 0) out vec4 outColor;
+
+#if OUTPUT == COLOR
+vec3 valueOf(vec4 linear) { return chooseChannels(linear.rgb); }
+vec3 shown(vec4 linear) { return encode(valueOf(linear)); }
+#elif OUTPUT == WORK
+vec3 valueOf(vec4 linear) { return linear.rgb; }
+vec3 shown(vec4 linear) { return linear.rgb / vec3(256.0, 64.0, 16.0); }
+#elif OUTPUT == STEPS
+vec3 valueOf(vec4 linear) { return linear.rgb; }
+vec3 shown(vec4 linear) { return linear.rgb / 256.0; }
+#elif OUTPUT == DISTANCE
+vec3 valueOf(vec4 linear) { return linear.rgb; }
+vec3 shown(vec4 linear) { return 1.0 / (1.0 + 0.05 * linear.rgb); }
+#elif OUTPUT == OBJECT
+vec3 valueOf(vec4 linear) { return linear.rgb; }
+vec3 shown(vec4 linear) {
+    vec3 shade = fract(vec3(0.61803399, 0.75487767, 0.56984029) * (linear.r + 1.0));
+    return linear.r < 0.0 ? vec3(0.0) : 0.25 + 0.75 * shade;
+}
+#elif OUTPUT == POSITION
+vec3 valueOf(vec4 linear) { return linear.a == 0.0 ? vec3(0.0) : frame.origin.xyz + linear.rgb; }
+// The origin's own fraction, since the sum has no more digits than its place in the world leaves.
+vec3 shown(vec4 linear) { return linear.a == 0.0 ? vec3(0.0) : fract(fract(frame.origin.xyz) + linear.rgb); }
+#elif OUTPUT == NORMAL
+vec3 valueOf(vec4 linear) { return linear.rgb; }
+vec3 shown(vec4 linear) { return linear.a == 0.0 ? vec3(0.0) : 0.5 + 0.5 * linear.rgb; }
+#else
+vec3 valueOf(vec4 linear) { return linear.rgb; }
+vec3 shown(vec4 linear) { return linear.rgb; }
+#endif
+
+void main() {
+    vec4 linear = loadLinear(ivec2(gl_FragCoord.xy));
+    outColor = vec4(frame.limits.z == 1 ? shown(linear) : valueOf(linear), 1.0);
+}

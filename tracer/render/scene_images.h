@@ -1,0 +1,46 @@
+/// A scene's images on the GPU: paints, normals and the sky. Grey, flat and night stand in until they come.
+#pragma once
+
+#include "tracer/gl/objects.h"
+#include "tracer/plan/scene_packer.h"
+#include "tracer/plan/texture_set.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+/// What the host has given so far, by name: kept, so that a new context can be filled again.
+using Pictures = std::map<std::string, Image>;
+
+class SceneImages {
+  public:
+    /// Images larger than `maxSide` are drawn smaller.
+    SceneImages(const Scene&, int maxSide);
+
+    /// A picture has come, or another in its place: what shows it is uploaded anew.
+    void arrived(const std::string& name);
+    /// Share of the scene's images that are among the pictures.
+    double share(const Pictures&) const;
+
+    /// Uploads what is not there as it should be, and binds all. Answers the tiles that paints and normals take where they are new.
+    /// A problem where images are drawn smaller than they are.
+    std::optional<Tiles> bind(const Pictures&, Problems&);
+
+  private:
+    gl::Texture upload(std::vector<Image>, gl::Texels, std::vector<glm::vec2>& tiles, Problems&) const;
+    Tiles uploadLayers(const Pictures&, Problems&);
+    void uploadSky(const Pictures&);
+    gl::Texels coding() const;
+
+    std::string file_; ///< of the scene, for problems
+    bool linear_;
+    int maxSide_;
+    TextureSet set_;
+    std::vector<std::string> faces_; ///< of the sky, in GL's order; none where it is a colour
+    gl::Texture paints_, normals_, sky_;
+    bool layersStale_ = true, skyStale_ = true;
+};
+
+} // namespace gnomon
