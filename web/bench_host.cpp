@@ -2,29 +2,24 @@
 // page/compare.js.
 //
 // The order of use: benchPlan; for each of its scenes benchScene, benchImageNames and benchImage; benchBegin;
-// benchPrepare until it is finished; benchContinue; benchStart; benchRace until that is. benchResults at any time after benchBegin,
-// benchEnd at last. Text as in host.cpp. Steps answer 0: ask again after a moment, 1: one more is done, 2: all is done.
+// benchPrepare until it is finished; benchContinue; benchStart; benchRace until that is. benchResults at any time after
+// benchBegin, benchEnd at last. Text as in host.h. Steps answer 0: ask again after a moment, 1: one more is done, 2:
+// all is done.
 #include "web/bench_host.h"
 
+#include "lab/bench/bench_series.h"
+#include "lab/bench/bench_tables.h"
 #include "tracer/clock.h"
 #include "tracer/gl/gl.h"
 #include "tracer/image.h"
-#include "lab/bench/bench_series.h"
-#include "lab/bench/bench_tables.h"
 #include "tracer/plan/pose.h"
 #include "tracer/scene/read_scene.h"
 #include "tracer/version.h"
-
-#include <emscripten.h>
+#include "web/host.h"
 
 #include <algorithm>
 #include <cstdint>
-#include <memory>
 #include <optional>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
 
 namespace {
 
@@ -36,35 +31,9 @@ struct Bench {
     std::vector<BenchScene> scenes;
     std::unique_ptr<BenchRun> run;
     std::string place;
-    Problems problems;  ///< until the page takes them
-    std::string answer; ///< the text handed out last
+    Problems problems; ///< until the page takes them
 };
 std::unique_ptr<Bench> bench;
-
-const char* give(std::string text) {
-    bench->answer = std::move(text);
-    return bench->answer.c_str();
-}
-
-std::vector<std::string> linesOf(std::string_view text) {
-    std::vector<std::string> lines;
-    while (!text.empty()) {
-        const std::string_view line = text.substr(0, text.find('\n'));
-        lines.emplace_back(line);
-        text.remove_prefix(std::min(line.size() + 1, text.size()));
-    }
-    return lines;
-}
-
-/// Of lines `key=value`.
-std::vector<std::pair<std::string, std::string>> pairsOf(std::string_view text) {
-    std::vector<std::pair<std::string, std::string>> pairs;
-    for (const std::string& line : linesOf(text)) {
-        const std::size_t equals = line.find('=');
-        if (equals != std::string::npos) pairs.emplace_back(line.substr(0, equals), line.substr(equals + 1));
-    }
-    return pairs;
-}
 
 } // namespace
 
@@ -112,11 +81,7 @@ EMSCRIPTEN_KEEPALIVE const char* benchScene(const char* text, const char* name) 
 }
 
 /// Names of the images of the scene given last, one a line.
-EMSCRIPTEN_KEEPALIVE const char* benchImageNames() {
-    std::string names;
-    for (const std::string& name : imagesOf(bench->scenes.back().scene)) names += name + '\n';
-    return give(std::move(names));
-}
+EMSCRIPTEN_KEEPALIVE const char* benchImageNames() { return give(inLines(imagesOf(bench->scenes.back().scene))); }
 
 EMSCRIPTEN_KEEPALIVE const char* benchImage(const char* name, const std::uint8_t* bytes, int size) {
     Problems problems;

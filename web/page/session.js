@@ -1,7 +1,6 @@
 // The tracer at work on a canvas: scenes and their images, the frames, a context that goes and comes back.
 
 import { fetchImage, fetchScene } from './load.js';
-import { ProgramState } from './tracer.js';
 
 const mostPatienceMs = 3000;
 
@@ -9,7 +8,8 @@ const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
 /**
  * @param task begins a task of the loading bar, see progress.js
- * @param emit tells of: 'problem' text · 'frame' · 'first' and 'sharp' (in full resolution) ms since navigation · 'scene' name · 'lost' · 'restored'
+ * @param emit tells of: 'problem' text · 'frame' · 'first' and 'sharp' (in full resolution) ms since navigation ·
+ *   'scene' name · 'lost' · 'restored'
  */
 export function startSession({ tracer, canvas, task, emit }) {
   const gl = canvas.getContext('webgl2'); // the tracer's own context: asked only whether it lives and is done
@@ -34,10 +34,10 @@ export function startSession({ tracer, canvas, task, emit }) {
   };
 
   const watchCompile = () => {
-    const state = tracer.state();
-    if (state === ProgramState.compiling) compiling ??= task('Compiling the shader');
+    const progress = tracer.progress();
+    if (progress.compiling) compiling ??= task('Compiling the shader');
     else if (compiling) compiling = void compiling.done();
-    return state;
+    return progress;
   };
 
   // --- frames ---------------------------------------------------------------------------------------------------------
@@ -81,10 +81,10 @@ export function startSession({ tracer, canvas, task, emit }) {
     failure = '';
     for (;;) {
       if (alive() && sceneName !== null && imagesAwaited === 0) {
-        const state = watchCompile();
+        const { ready, failed } = watchCompile();
         gather();
-        if (state === ProgramState.ready) return;
-        if (state === ProgramState.failed) throw new Error(failure || 'the shader does not compile');
+        if (ready) return;
+        if (failed) throw new Error(failure || 'the shader does not compile');
       }
       await pause(4);
     }
@@ -103,7 +103,7 @@ export function startSession({ tracer, canvas, task, emit }) {
 
   // --- scenes ---------------------------------------------------------------------------------------------------------
 
-  let turn = imagesMayCome;
+  let imagesBefore = imagesMayCome;
 
   const loadImages = (order) => {
     const names = tracer.imageNames();
@@ -115,7 +115,7 @@ export function startSession({ tracer, canvas, task, emit }) {
     const loading = task(`Loading ${name}`);
     try {
       const bytes = await fetchImage(name, (soFar, total) => loading.at(soFar / total));
-      await (turn = turn.then(() => pause(0))); // one at a time, so that the page can answer between
+      await (imagesBefore = imagesBefore.then(() => pause(0))); // one at a time, so that the page can answer between
       if (order === wantedScene) whenAlive(() => report(tracer.giveImage(name, bytes)));
     } catch (error) {
       report(`${error.message}; one flat colour stands in for the image`);
@@ -183,7 +183,7 @@ export function startSession({ tracer, canvas, task, emit }) {
     },
     /** Nothing loads or compiles, and no script has the pictures to itself. */
     get resting() {
-      return alive() && suspended === 0 && imagesAwaited === 0 && tracer.state() === ProgramState.ready;
+      return alive() && suspended === 0 && imagesAwaited === 0 && tracer.progress().ready;
     },
     load,
     settled,

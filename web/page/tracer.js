@@ -1,11 +1,12 @@
 // The tracer, compiled to WebAssembly, as a JavaScript object: text and numbers in, text and typed arrays out.
 //
-// What a call means stands at its C twin in web/host.cpp. Calls that answer a string of problems answer '' when all is well.
+// What a call means stands at its C twin in web/context.cpp and web/*_exports.cpp. Calls that answer a string of
+// problems answer '' when all is well.
 
 import { fetchCounted } from './load.js';
 
 /** The states of the shader program, as ProgramState in tracer/render/renderer.h. */
-export const ProgramState = { none: 0, compiling: 1, ready: 2, failed: 3 };
+const ProgramState = { compiling: 1, ready: 2, failed: 3 };
 
 /**
  * Loads and starts the module.
@@ -89,7 +90,15 @@ function wrap(module) {
     sharp: () => module._sharp() !== 0,
     shownScale: () => module._shownScale(),
     takeProblems: () => text(module._takeProblems()),
-    state: () => module._programState(),
+    /** How far the picture is that scene and settings ask for; images that load are the session's. */
+    progress() {
+      const state = module._programState();
+      return {
+        compiling: state === ProgramState.compiling,
+        ready: state === ProgramState.ready,
+        failed: state === ProgramState.failed,
+      };
+    },
     compileMs: () => module._compileMs(),
     sourceBytes: () => module._sourceBytes(),
     source: () => text(module._shaderSource()),
@@ -113,7 +122,7 @@ function wrap(module) {
       return { problems, answers: readback(module._tracedRays(), Float32Array).data };
     },
 
-    /** For parts of the page that load later: calls an export with strings and numbers, or with bytes; answers text or a number. */
+    /** For modules that load later: calls an export with strings and numbers, or bytes; answers text or a number. */
     call: (name, ...values) => withStrings(name, ...values),
     callForText: (name, ...values) => text(withStrings(name, ...values)),
     callWithBytes: (name, string, bytes) => text(withBytes(name, string, bytes)),
@@ -125,5 +134,6 @@ function wrap(module) {
 
 /** Lines `key=value` in their order. */
 export function pairsOf(lines) {
-  return lines.split('\n').filter(Boolean).map((line) => [line.slice(0, line.indexOf('=')), line.slice(line.indexOf('=') + 1)]);
+  const pairOf = (line) => [line.slice(0, line.indexOf('=')), line.slice(line.indexOf('=') + 1)];
+  return lines.split('\n').filter(Boolean).map(pairOf);
 }

@@ -1,0 +1,35 @@
+/// What the page's exports share: the viewer, and the ways in which texts and pixels go out.
+///
+/// Text goes in and out as UTF-8. A `const char*` that comes out stays valid until the next call; where it tells of
+/// problems, empty means that there are none. The page owns events, time and loading; what they mean is decided in
+/// Viewer. page/tracer.js and page/compare_calls.js are the JavaScript side of the exports.
+#pragma once
+
+#include "tracer/problem.h"
+#include "tracer/render/viewer.h"
+
+#include <emscripten.h>
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+struct Host {
+    std::unique_ptr<gnomon::Viewer> viewer;
+    gnomon::Problems problems; ///< of frames, until the page takes them
+};
+extern Host host;
+
+/// Hands text out.
+const char* give(std::string text);
+
+/// Hands a picture or an array of floats out: width, height, channels and address, for as long as `values` live.
+const int* hand(int width, int height, int channels, const void* values);
+
+std::vector<std::string> linesOf(std::string_view text);
+std::string inLines(const std::vector<std::string>& lines);
+
+/// Of lines `key=value`.
+std::vector<std::pair<std::string, std::string>> pairsOf(std::string_view text);

@@ -1,0 +1,49 @@
+// Pictures read back for page/tracer.js: the canvas' bytes and an output's floats, row 0 = top.
+#include "tracer/gl/gl.h"
+#include "tracer/image.h"
+#include "web/host.h"
+
+#include <algorithm>
+#include <cstdint>
+
+namespace {
+
+using namespace gnomon;
+
+void draw(const View& view) { host.viewer->renderer().draw(view, host.viewer->settings().scale, 0); }
+
+} // namespace
+
+extern "C" {
+
+/// Draws the view as it stands, without a step in time, and waits for the last pixel of it.
+EMSCRIPTEN_KEEPALIVE void drawAndWait() {
+    draw(host.viewer->view());
+    std::uint8_t pixel[4];
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glReadPixels(0, 0, 1, 1, GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+}
+
+/// Draws the view as it stands and reads the canvas back: bytes of four channels.
+EMSCRIPTEN_KEEPALIVE const int* readPicture() {
+    static std::vector<std::uint8_t> rgba;
+    const View view = host.viewer->view();
+    const std::size_t row = std::size_t(view.width) * 4;
+    rgba.resize(row * view.height);
+    draw(view);
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    glReadPixels(0, 0, view.width, view.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
+    for (int y = 0; y < view.height / 2; ++y) // GL gives the bottom row first
+        std::swap_ranges(rgba.begin() + y * row, rgba.begin() + (y + 1) * row, rgba.end() - (y + 1) * row);
+    return hand(view.width, view.height, 4, rgba.data());
+}
+
+/// Reads the output that the settings name: floats. Needs a ready program.
+EMSCRIPTEN_KEEPALIVE const int* readOutput() {
+    static FloatImage output;
+    output = host.viewer->renderer().readOutput(host.viewer->view(), host.problems);
+    return hand(output.width, output.height, output.channels, output.pixels.data());
+}
+
+} // extern "C"

@@ -1,0 +1,97 @@
+// The viewer for page/tracer.js: scene and images, settings, events, frames.
+#include "tracer/gl/gl.h"
+#include "tracer/image.h"
+#include "tracer/scene/read_scene.h"
+#include "tracer/settings/settings.h"
+#include "web/host.h"
+
+#include <cstdint>
+#include <optional>
+
+// clang-format off
+EM_JS(void, reportToPage, (const char* text), { Module['report'](UTF8ToString(text)); });
+// clang-format on
+
+using namespace gnomon;
+
+extern "C" {
+
+/// Makes the viewer with the settings in lines `key=value`; the problems are of those that were skipped.
+EMSCRIPTEN_KEEPALIVE const char* createViewer(const char* lines, const char* place) {
+    Settings settings;
+    Problems problems;
+    gl::load(nullptr, problems);
+    for (const auto& [key, value] : pairsOf(lines)) setFromText(settings, key, value, place, problems);
+    host.viewer = std::make_unique<Viewer>(settings, [](const std::string& line) { reportToPage(line.c_str()); });
+    return give(toString(problems));
+}
+
+// --- scene and images ---
+
+/// Takes a scene file's text. With problems the old scene stays.
+EMSCRIPTEN_KEEPALIVE const char* loadScene(const char* text, const char* name) {
+    Problems problems;
+    std::optional<Scene> scene = readScene(text, std::string(name) + ".json", problems);
+    if (scene) {
+        scene->name = name;
+        host.viewer->setScene(std::move(*scene), problems);
+    }
+    return give(toString(problems));
+}
+
+/// Names of the images of the scene in place, one a line.
+EMSCRIPTEN_KEEPALIVE const char* imageNames() { return give(inLines(imagesOf(host.viewer->scene()))); }
+
+EMSCRIPTEN_KEEPALIVE const char* giveImage(const char* name, const std::uint8_t* bytes, int size) {
+    Problems problems;
+    if (const std::optional<Image> image = decodeImage(name, {bytes, std::size_t(size)}, problems))
+        host.viewer->setImage(name, *image);
+    return give(toString(problems));
+}
+
+// --- settings ---
+
+EMSCRIPTEN_KEEPALIVE const char* settingsTableJson() { return give(settingsJson()); }
+
+EMSCRIPTEN_KEEPALIVE const char* setSetting(const char* key, const char* text, const char* place) {
+    Problems problems;
+    host.viewer->set(key, text, place, problems);
+    return give(toString(problems));
+}
+
+/// All settings as they stand, in lines `key=value`.
+EMSCRIPTEN_KEEPALIVE const char* settingsText() {
+    const Settings settings = host.viewer->settings();
+    std::string lines;
+    for (const SettingRow& row : settingsTable()) lines += std::string(row.key) + '=' + textOf(row, settings) + '\n';
+    return give(std::move(lines));
+}
+
+EMSCRIPTEN_KEEPALIVE const char* urlQuery() { return give(toUrlQuery(host.viewer->settings())); }
+
+// --- events ---
+
+EMSCRIPTEN_KEEPALIVE void keyDown(const char* key) { host.viewer->keyDown(key); }
+EMSCRIPTEN_KEEPALIVE void keyUp(const char* key) { host.viewer->keyUp(key); }
+EMSCRIPTEN_KEEPALIVE void releaseAllKeys() { host.viewer->releaseAllKeys(); }
+EMSCRIPTEN_KEEPALIVE void drag(double dx, double dy, double height) { host.viewer->drag(dx, dy, height); }
+EMSCRIPTEN_KEEPALIVE void pinch(double ratio, double dx, double dy, double height) {
+    host.viewer->pinch(ratio, dx, dy, height);
+}
+
+EMSCRIPTEN_KEEPALIVE void resize(int width, int height) { host.viewer->resize(width, height); }
+
+// --- frames ---
+
+/// One animation frame; `now` in seconds. 1: drawn; 0: nothing to draw yet.
+EMSCRIPTEN_KEEPALIVE int frame(double now) { return host.viewer->frame(now, 0, host.problems); }
+/// The picture shown has its full resolution.
+EMSCRIPTEN_KEEPALIVE int sharp() { return host.viewer->sharp(); }
+/// The resolution of the picture shown over that of the canvas.
+EMSCRIPTEN_KEEPALIVE double shownScale() { return host.viewer->shownScale(); }
+EMSCRIPTEN_KEEPALIVE double framesPerSecond() { return host.viewer->framesPerSecond(); }
+EMSCRIPTEN_KEEPALIVE const char* title() { return give(host.viewer->title()); }
+/// Problems that frames had since the last call.
+EMSCRIPTEN_KEEPALIVE const char* takeProblems() { return give(toString(std::exchange(host.problems, {}))); }
+
+} // extern "C"
