@@ -1,4 +1,5 @@
 // The WebGL2 context on the page's canvas: made once, lost and given back by the browser whenever it likes.
+#include "tracer/gl/generation.h"
 #include "tracer/gl/gl.h"
 #include "web/bench_host.h"
 #include "web/host.h"
@@ -40,7 +41,7 @@ EMSCRIPTEN_KEEPALIVE int createContext(const char* canvas) {
 }
 
 EMSCRIPTEN_KEEPALIVE void contextLost() {
-    host.viewer->contextLost();
+    gl::contextLost();
     benchLost();
 }
 
@@ -49,6 +50,9 @@ EMSCRIPTEN_KEEPALIVE void contextRestored() {
     host.viewer->contextRestored();
     benchRestored();
 }
+
+/// GL objects that are alive: flat from one lost context to the next.
+EMSCRIPTEN_KEEPALIVE int liveGlObjects() { return gl::liveObjects(); }
 
 EMSCRIPTEN_KEEPALIVE const char* glRenderer() { return give(gl::info().renderer); }
 

@@ -1,6 +1,7 @@
 // Pictures read back for page/tracer.js: the canvas' bytes and an output's floats, row 0 = top.
 #include "tracer/gl/gl.h"
 #include "tracer/image.h"
+#include "tracer/gl/read_top_down.h"
 #include "web/host.h"
 
 #include <algorithm>
@@ -26,17 +27,12 @@ EMSCRIPTEN_KEEPALIVE void drawAndWait() {
 
 /// Draws the view as it stands and reads the canvas back: bytes of four channels.
 EMSCRIPTEN_KEEPALIVE const int* readPicture() {
-    static std::vector<std::uint8_t> rgba;
+    static Image picture;
     const View view = host.viewer->view();
-    const std::size_t row = std::size_t(view.width) * 4;
-    rgba.resize(row * view.height);
     draw(view);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    glPixelStorei(GL_PACK_ALIGNMENT, 4);
-    glReadPixels(0, 0, view.width, view.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
-    for (int y = 0; y < view.height / 2; ++y) // GL gives the bottom row first
-        std::swap_ranges(rgba.begin() + y * row, rgba.begin() + (y + 1) * row, rgba.end() - (y + 1) * row);
-    return hand(view.width, view.height, 4, rgba.data());
+    picture = gl::readTopDown(view.width, view.height);
+    return hand(view.width, view.height, 4, picture.rgba.data());
 }
 
 /// Reads the output that the settings name: floats. Needs a ready program.

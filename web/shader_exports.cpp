@@ -15,8 +15,23 @@ std::vector<ShaderFile> added; ///< since the last useShaders()
 
 extern "C" {
 
-/// How far the program has come, a ProgramState.
-EMSCRIPTEN_KEEPALIVE int programState() { return int(host.viewer->renderer().poll(host.problems)); }
+/// How far all is: Progress (tracer/render/progress.h) as JSON.
+EMSCRIPTEN_KEEPALIVE const char* progress() {
+    host.viewer->poll(host.problems);
+    const Progress progress = host.viewer->progress();
+    std::string json = "{";
+    const auto add = [&json](const char* name, double share) {
+        json += (json.size() > 1 ? ",\"" : "\"") + std::string(name) + "\":" + std::to_string(share);
+    };
+    add("compiled", progress.compiled);
+    add("images", progress.images);
+    add("baked", progress.baked);
+    add("samples", progress.samples);
+    add("compiling", progress.compiling());
+    add("ready", progress.ready());
+    add("failed", progress.failed);
+    return give(json + "}");
+}
 EMSCRIPTEN_KEEPALIVE double compileMs() { return host.viewer->renderer().stats().compileMs; }
 EMSCRIPTEN_KEEPALIVE int sourceBytes() { return int(host.viewer->renderer().stats().sourceBytes); }
 EMSCRIPTEN_KEEPALIVE const char* shaderSource() { return give(host.viewer->renderer().source()); }

@@ -4,6 +4,7 @@
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
 #include "tracer/gl/objects.h"
+#include "tracer/gl/read_top_down.h"
 #include "tracer/software/uncommon_features.h"
 
 #include <gtest/gtest.h>
@@ -181,23 +182,21 @@ TEST(Parts, ComeInBandsAsInOne) {
     drawing.view.height = kHeight;
     const gl::Target screen = gl::makeTarget(kWidth, kHeight, GL_RGBA8);
     const auto shown = [&] {
-        std::vector<std::uint8_t> pixels(std::size_t(kWidth) * kHeight * 4);
         glBindFramebuffer(GL_FRAMEBUFFER, screen.framebuffer.get());
-        glReadPixels(0, 0, kWidth, kHeight, GL_RGBA, GL_UNSIGNED_BYTE, pixels.data());
-        return pixels;
+        return gl::readTopDown(kWidth, kHeight).rgba;
     };
     Renderer& renderer = drawing.renderer();
     renderer.draw(drawing.view, 1, screen.framebuffer.get());
     const auto once = shown();
-    int from = 0;
-    for (const int to : {7, 50, 51, kHeight}) {
-        renderer.drawRows(drawing.view, 1, from, to);
-        from = to;
+    for (const int rows : {7, 43, 1, kHeight}) {
+        EXPECT_LT(renderer.refined(), 1);
+        renderer.refine(drawing.view, 1, rows);
     }
+    EXPECT_EQ(renderer.refined(), 1);
     glBindFramebuffer(GL_FRAMEBUFFER, screen.framebuffer.get());
     glClearColor(1, 0, 1, 1);
     glClear(GL_COLOR_BUFFER_BIT);
-    renderer.show(drawing.view, kHeight, screen.framebuffer.get());
+    renderer.show(drawing.view, screen.framebuffer.get());
     EXPECT_EQ(shown(), once);
 }
 

@@ -12,7 +12,7 @@
 #include "tracer/scene/scene.h"
 #include "tracer/settings/settings.h"
 #include "tracer/shader/library.h"
-#include "tracer/shader/program_cache.h"
+#include "tracer/shader/program_stats.h"
 
 #include <memory>
 #include <span>

@@ -50,6 +50,8 @@ class Viewer {
     /// False while there is nothing to draw yet.
     bool frame(double now, unsigned framebuffer, Problems&);
 
+    /// Lets compiling continue where no frame is drawn.
+    void poll(Problems& problems) { progress_ = renderer_.poll(problems); }
     /// How far all is, as of the last frame or poll.
     Progress progress() const;
     bool sharp() const;        ///< the picture shown has all the resolution that the settings allow

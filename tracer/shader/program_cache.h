@@ -3,6 +3,7 @@
 
 #include "tracer/gl/objects.h"
 #include "tracer/plan/features.h"
+#include "tracer/shader/program_stats.h"
 #include "tracer/shader/shader_builder.h"
 
 #include <functional>
@@ -24,13 +25,6 @@ inline constexpr int kDataUnit = 0, kSkyUnit = 1, kPaintUnit = 2, kNormalUnit = 
 GlslTarget targetOf(const gl::Info&);
 
 enum class CompileState { Compiling, Ready, Failed };
-
-/// What a program cost and is.
-struct ProgramStats {
-    std::size_t sourceBytes = 0;
-    double buildMs = 0;   ///< specialising the source
-    double compileMs = 0; ///< from handing it to GL to the first finished draw
-};
 
 /// One specialised program and what it took to make.
 struct CachedProgram {

@@ -5,8 +5,6 @@
 
 import { fetchCounted } from './load.js';
 
-/** The states of the shader program, as ProgramState in tracer/render/renderer.h. */
-const ProgramState = { compiling: 1, ready: 2, failed: 3 };
 
 /**
  * Loads and starts the module.
@@ -92,12 +90,8 @@ function wrap(module) {
     takeProblems: () => text(module._takeProblems()),
     /** How far the picture is that scene and settings ask for; images that load are the session's. */
     progress() {
-      const state = module._programState();
-      return {
-        compiling: state === ProgramState.compiling,
-        ready: state === ProgramState.ready,
-        failed: state === ProgramState.failed,
-      };
+      const told = JSON.parse(text(module._progress()));
+      return { ...told, compiling: told.compiling > 0, ready: told.ready > 0, failed: told.failed > 0 };
     },
     compileMs: () => module._compileMs(),
     sourceBytes: () => module._sourceBytes(),
