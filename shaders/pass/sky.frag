@@ -13,10 +13,10 @@ out vec4 outColor;
 
 void main() {
     Ray ray = primaryRay();
-    vec3 color = skyColor(ray.direction, frame.cone.x);
+    vec3 color = skyColor(ray.direction, frame.pixelAngle);
 #if GLOWS
     color = glowAlong(ray, kFar) + color;
 #endif
     color = chooseChannels(color);
-    outColor = vec4(frame.limits.z == 1 ? encode(color) : color, 1.0);
+    outColor = vec4(frame.encode == 1 ? encode(color) : color, 1.0);
 }

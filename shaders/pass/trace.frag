@@ -1,6 +1,6 @@
 // One pixel: the primary ray through its centre, and the output the settings ask for.
 //
-// Outputs are written as they are for reading back, or made visible for a window where frame.limits.z is 1.
+// Outputs are written as they are for reading back, or made visible for a window where frame.encode is 1.
 #include "frame.glsl"
 #include "scene.glsl"
 #include "ray/ray.glsl"
@@ -45,7 +45,7 @@ out vec4 outColor;
 #if OUTPUT == COLOR
 vec4 pixel(Ray ray) {
     vec3 color = chooseChannels(traceTree(ray));
-    return vec4(frame.limits.z == 1 ? encode(color) : color, 1.0);
+    return vec4(frame.encode == 1 ? encode(color) : color, 1.0);
 }
 #elif OUTPUT == WORK
 // Boxes, objects and shadow rays that the colour of this pixel takes; shown against 256, 64 and 16 of them.
@@ -53,7 +53,7 @@ vec4 pixel(Ray ray) {
     vec3 color = traceTree(ray);
     vec3 counts = vec3(work);
     if (color.r < -1.0) counts.r = 0.0; // the colour is asked for, too: nothing of the work may be left out
-    return vec4(frame.limits.z == 1 ? counts / vec3(256.0, 64.0, 16.0) : counts, 1.0);
+    return vec4(frame.encode == 1 ? counts / vec3(256.0, 64.0, 16.0) : counts, 1.0);
 }
 #elif OUTPUT == STEPS
 // Evaluations of distances that the colour of this pixel takes; shown against 256 of them.
@@ -61,14 +61,14 @@ vec4 pixel(Ray ray) {
     vec3 color = traceTree(ray);
     vec3 count = vec3(float(evaluations));
     if (color.r < -1.0) count.r = 0.0; // the colour is asked for, too: nothing of the work may be left out
-    return vec4(frame.limits.z == 1 ? count / 256.0 : count, 1.0);
+    return vec4(frame.encode == 1 ? count / 256.0 : count, 1.0);
 }
 #else
 // What the primary ray meets. `value` for reading back, `shown` for a window.
 vec4 pixel(Ray ray) {
     float t;
     int object = nearestHit(ray, t);
-    bool shown = frame.limits.z == 1;
+    bool shown = frame.encode == 1;
 #if OUTPUT == DISTANCE
     float value = object < 0 ? uintBitsToFloat(0x7F800000u) : t; // infinity where nothing is hit
     return vec4(shown ? vec3(object < 0 ? 0.0 : 1.0 / (1.0 + 0.05 * t)) : vec3(value), 1.0);
@@ -94,9 +94,9 @@ vec4 pixel(Ray ray) {
 #else
     float fraction = 1.0;
 #if LIGHTS && SHADOWS
-    Light light = loadLight(clamp(frame.limits.y, 0, kLightCount - 1));
+    Light light = loadLight(clamp(frame.light, 0, kLightCount - 1));
     float behind = dot(light.position - surface.point, surface.normal) * dot(ray.direction, surface.normal);
-    fraction = behind > 0.0 ? 0.0 : lightFraction(surface, object, light, frame.cone.x * t); // lit from behind: the surface itself is in the way
+    fraction = behind > 0.0 ? 0.0 : lightFraction(surface, object, light, frame.pixelAngle * t); // lit from behind: the surface itself is in the way
 #endif
     return vec4(vec3(fraction), 1.0);
 #endif

@@ -2,6 +2,7 @@
 
 #include "tracer/clock.h"
 #include "tracer/gl/objects.h"
+#include "tracer/render/frame_uniforms.h"
 #include "tracer/render/programs.h"
 #include "tracer/plan/scene_packer.h"
 
@@ -18,31 +19,32 @@ constexpr int kDataWidth = 2048;             // texels a row of the data texture
 constexpr GLenum kProgramPointSize = 0x8642; // GL_PROGRAM_POINT_SIZE: always on in GLES
 constexpr GLenum kSeamlessCubemap = 0x884F;  // GL_TEXTURE_CUBE_MAP_SEAMLESS: always on in GLES, unknown to its header
 
-/// shaders/frame.glsl, in std140.
-struct FrameBlock {
-    glm::vec4 eye, right, up, forward, origin, background, cone, options, canvas;
-    glm::ivec4 limits, budget, channels;
-    glm::uvec4 zero;
-};
-
 /// `origin` is what the shader's coordinates are relative to.
-FrameBlock frameBlock(const View& view, const Scene& scene, glm::dvec3 origin, const Settings& settings, bool encode) {
+FrameUniforms frameUniforms(const View& view, const Scene& scene, glm::dvec3 origin, const Settings& settings,
+                            bool encode) {
     const CameraFrame camera = frameOf(view.camera);
     const double aspect = double(view.width) / view.height;
     const std::string_view channels = colorModes()[std::size_t(settings.colorMode)];
     const auto channel = [&](std::size_t i) { return int(std::string_view("rgb").find(channels[i])); };
-    FrameBlock block{};
+    FrameUniforms block;
     block.eye = glm::vec4(camera.eye - origin, 0);
     block.right = glm::vec4(camera.right * camera.halfHeight * aspect, 0);
     block.up = glm::vec4(camera.up * camera.halfHeight, 0);
     block.forward = glm::vec4(camera.forward, 0);
     block.origin = glm::vec4(origin, 0);
     block.background = glm::vec4(scene.background.color, 1);
-    block.cone.x = float(2 * camera.halfHeight / view.height);
-    block.options = glm::vec4(settings.threshold, settings.epsilon, settings.lightRadius.value_or(-1), 0);
-    block.budget = glm::ivec4(settings.shadowSteps, settings.samples, settings.marchSteps, settings.firstSample);
-    block.canvas = glm::vec4(view.width, view.height, 0, 0);
-    block.limits = glm::ivec4(settings.depth, settings.light, encode, 0);
+    block.canvas = glm::vec2(view.width, view.height);
+    block.pixelAngle = float(2 * camera.halfHeight / view.height);
+    block.threshold = float(settings.threshold);
+    block.coneError = float(settings.epsilon);
+    block.lightRadius = float(settings.lightRadius.value_or(-1));
+    block.depth = settings.depth;
+    block.light = settings.light;
+    block.encode = encode;
+    block.shadowSteps = settings.shadowSteps;
+    block.marchSteps = settings.marchSteps;
+    block.samples = settings.samples;
+    block.firstSample = settings.firstSample;
     block.channels = glm::ivec4(channel(0), channel(1), channel(2), 0);
     return block;
 }
@@ -318,7 +320,7 @@ struct Renderer::Impl {
 
     /// All that programs read.
     void upload(const View& view, const Programs& with, LoadedScene& loaded, const Settings& choices, bool encode) {
-        const FrameBlock block = frameBlock(view, loaded.scene, loaded.origin, choices, encode);
+        const FrameUniforms block = frameUniforms(view, loaded.scene, loaded.origin, choices, encode);
         glBindVertexArray(vertexArray.get());
         glBindBuffer(GL_UNIFORM_BUFFER, frameBuffer.get());
         glBufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_DYNAMIC_DRAW);
