@@ -1,17 +1,23 @@
-// What changes from frame to frame: one uniform block, filled by the renderer (FrameBlock in tracer/render/renderer.cpp).
+// What changes from frame to frame, one uniform block: FrameUniforms in tracer/render/frame_uniforms.h, byte for byte.
 //
-// eye, right, up, forward   camera; right and up are scaled so that the canvas' edges lie at +-1
-// origin                    of all coordinates of the shader, in the world: originOf() in tracer/scene/scene.h
-// cone                      x: angle of one pixel in radians
-// background                where nothing is hit and there is no cube map
-// options                   x: rays with a smaller share of the picture are not followed, y: error of the light fraction that
-//                           shadow cones may make, z: radius of all lights, negative: each its own
-// canvas                    xy: size in pixels
-// limits                    x: deepest ray 1 … 8, y: light of the visibility output, z: 1 to encode for a display
-// budget                    most steps, x: of a march to a light, z: of a ray to a distance object; y: samples of a light, w: the
-//                           first of them in their sequence
-// channels                  xyz: which of r, g, b each output channel shows
-// zero                      0, opaque to the compiler (ray/split.glsl)
+// eye, right, up, forward  camera; right and up are scaled so that the canvas' edges lie at ±1
+// origin         of all coordinates of the shader, in the world: originOf() in tracer/scene/scene.h
+// background     colour where nothing is hit and there is no cube map
+// channels       xyz: which of r, g, b each output channel shows
+// zero           0, which no compiler knows: an optimisation barrier (ray/split.glsl)
+// canvas         size in pixels
+// pixelAngle     that a pixel covers, in radians
+// threshold      rays of a smaller throughput are not followed, and lights that add less get no shadow ray
+// coneError      of the light fraction, that shadow cones may make
+// lightRadius    of all lights; negative: each its own
+// depth          of the deepest ray, 1 … 8; the primary ray has 1
+// light          whose light fraction the visibility output shows
+// encode         1: for a display, 0: as numbers
+// shadowSteps    most steps of a march to a light
+// marchSteps     most steps of a ray to a distance object
+// samples        of a light
+// firstSample    of those in their sequence: a picture of many samples is drawn in batches
+// repeats        of each answer in the batch passes (intersect, light), 1 unless they are timed
 layout(std140) uniform Frame {
     vec4 eye;
     vec4 right;
@@ -19,11 +25,19 @@ layout(std140) uniform Frame {
     vec4 forward;
     vec4 origin;
     vec4 background;
-    vec4 cone;
-    vec4 options;
-    vec4 canvas;
-    ivec4 limits;
-    ivec4 budget;
     ivec4 channels;
     uvec4 zero;
+    vec2 canvas;
+    float pixelAngle;
+    float threshold;
+    float coneError;
+    float lightRadius;
+    int depth;
+    int light;
+    int encode;
+    int shadowSteps;
+    int marchSteps;
+    int samples;
+    int firstSample;
+    int repeats;
 } frame;

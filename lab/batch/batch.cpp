@@ -3,6 +3,7 @@
 #include "tracer/gl/objects.h"
 #include "tracer/shader/program_cache.h"
 #include "tracer/plan/scene_packer.h"
+#include "tracer/render/frame_uniforms.h"
 #include "tracer/shader/shader_builder.h"
 
 namespace gnomon {
@@ -10,10 +11,18 @@ namespace {
 
 constexpr int kWidth = 512; // pixels a row
 constexpr int kMostRows = int(Batch::kMost) / kWidth;
-constexpr GLsizeiptr kFrameBytes = 13 * 16; // of the frame block (shaders/frame.glsl): all 0 but for these
-constexpr GLintptr kOptionsAt = 7 * 16;     // y: epsilon, z: lights have their own radius
-constexpr GLintptr kRepeatsAt = 9 * 16;     // of limits.x
-constexpr GLintptr kBudgetAt = 10 * 16;
+
+/// No camera, every light with its own radius; nothing is left out for the little that it adds.
+FrameUniforms frameOf(const Settings& settings) {
+    FrameUniforms uniforms;
+    uniforms.coneError = float(settings.epsilon);
+    uniforms.lightRadius = -1;
+    uniforms.shadowSteps = settings.shadowSteps;
+    uniforms.marchSteps = settings.marchSteps;
+    uniforms.samples = settings.samples;
+    uniforms.firstSample = settings.firstSample;
+    return uniforms;
+}
 
 } // namespace
 
@@ -43,14 +52,9 @@ struct Batch::Impl {
     }
 
     void fillBlocks(const BatchPass& pass, const std::vector<glm::vec4>& texels) {
-        const std::vector<std::byte> zeroes(kFrameBytes);
+        const FrameUniforms uniforms = frameOf(pass.settings);
         glBindBuffer(GL_UNIFORM_BUFFER, frame.get());
-        glBufferData(GL_UNIFORM_BUFFER, kFrameBytes, zeroes.data(), GL_DYNAMIC_DRAW);
-        const Settings& settings = pass.settings;
-        const glm::vec4 options(0, settings.epsilon, -1, 0);
-        glBufferSubData(GL_UNIFORM_BUFFER, kOptionsAt, sizeof options, &options);
-        const glm::ivec4 budget(settings.shadowSteps, settings.samples, settings.marchSteps, settings.firstSample);
-        glBufferSubData(GL_UNIFORM_BUFFER, kBudgetAt, sizeof budget, &budget);
+        glBufferData(GL_UNIFORM_BUFFER, sizeof uniforms, &uniforms, GL_DYNAMIC_DRAW);
         glBindBuffer(GL_UNIFORM_BUFFER, scene.get());
         glBufferData(GL_UNIFORM_BUFFER, GLsizeiptr(texels.size() * sizeof texels[0]), texels.data(), GL_STATIC_DRAW);
         glUseProgram(program.get());
@@ -99,9 +103,8 @@ void Batch::upload(std::span<const std::vector<glm::vec4>> inputs) {
 }
 
 void Batch::draw(int repeats) {
-    const GLint limit = repeats;
     glBindBuffer(GL_UNIFORM_BUFFER, impl_->frame.get());
-    glBufferSubData(GL_UNIFORM_BUFFER, kRepeatsAt, sizeof limit, &limit);
+    glBufferSubData(GL_UNIFORM_BUFFER, offsetof(FrameUniforms, repeats), sizeof repeats, &repeats);
     glBindVertexArray(impl_->vertexArray.get());
     glUseProgram(impl_->program.get());
     glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, impl_->frame.get());

@@ -35,7 +35,7 @@ class Batch {
 
     /// One vector an input, all of the same size of at most kMost.
     void upload(std::span<const std::vector<glm::vec4>> inputs);
-    /// Answers what was uploaded last; frame.limits.x tells the pass how often. `wait`s once for it all to be done.
+    /// Answers what was uploaded last; frame.repeats tells the pass how often. `wait`s once for it all to be done.
     void draw(int repeats = 1);
     void wait();
     /// As many as were uploaded.

@@ -3,7 +3,7 @@
 // rayOrigins     xyz: origin; w: +1 where the ray starts on object 0 and travels outside of it, -1 inside, 0: starts nowhere
 // rayDirections  xyz: direction, unit to float32; w: tMin
 // outHit         x: t, y: number of the object in the shader's order, -1 where nothing is hit
-// frame.limits.x how often each ray is intersected, 1 unless that is to be timed: the surface is worked out once
+// frame.repeats  how often each ray is intersected, 1 unless that is to be timed: the surface is worked out once
 // outPoint       xyz: the surface point, outNormal  xyz: its normal, outward; 0 where nothing is hit
 #include "frame.glsl"
 #include "scene.glsl"
@@ -25,7 +25,7 @@ void main() {
     Ray ray = Ray(origin.xyz, direction.xyz, direction.w, origin.w == 0.0 ? -1 : 0, origin.w);
     float t = 0.0;
     int object = -1;
-    for (int i = 0; i < frame.limits.x; ++i) {
+    for (int i = 0; i < frame.repeats; ++i) {
         uvec3 nothing = uvec3(i) & frame.zero.xyz; // opaque to the compiler: no work is shared between the repeats
         ray.origin = uintBitsToFloat(floatBitsToUint(origin.xyz) ^ nothing);
         ray.direction = uintBitsToFloat(floatBitsToUint(direction.xyz) ^ nothing);

@@ -4,7 +4,7 @@
 // normals    xyz: of the surface, unit; w: number of the object whose surface it is, in the shader's order; -1: none
 // lights     xyz: centre; w: radius
 // outLight   x: the share, y: evaluations of distances
-// frame.limits.x how often each is asked for, 1 unless that is to be timed
+// frame.repeats  how often each is asked for, 1 unless that is to be timed
 #include "frame.glsl"
 #include "scene.glsl"
 #include "ray/ray.glsl"
@@ -28,7 +28,7 @@ void main() {
     vec4 normal = texelFetch(normals, at, 0);
     vec4 light = texelFetch(lights, at, 0);
     float share = 1.0;
-    for (int i = 0; i < frame.limits.x; ++i) {
+    for (int i = 0; i < frame.repeats; ++i) {
         uvec3 nothing = uvec3(i) & frame.zero.xyz; // opaque to the compiler: no work is shared between the repeats
         vec3 point = uintBitsToFloat(floatBitsToUint(receiver.xyz) ^ nothing);
         Surface surface = bareSurface(point, normal.xyz, 0.0);

@@ -1,7 +1,7 @@
 // One pixel from the linear picture (pass/linear_picture.glsl) as it is shown, or as it is read back: the last of the passes.
 //
 // picture        the linear picture, of the size of what is drawn
-// frame.limits.z 1: shown, each output made visible in [0, 1]; 0: its values as docs/outputs.md tells them
+// frame.encode   1: shown, each output made visible in [0, 1]; 0: its values as docs/outputs.md tells them
 #include "frame.glsl"
 #include "shade/encode.glsl"
 
@@ -47,5 +47,5 @@ vec3 shown(vec4 linear) { return linear.rgb; }
 
 void main() {
     vec4 linear = loadLinear(ivec2(gl_FragCoord.xy));
-    outColor = vec4(frame.limits.z == 1 ? shown(linear) : valueOf(linear), 1.0);
+    outColor = vec4(frame.encode == 1 ? shown(linear) : valueOf(linear), 1.0);
 }

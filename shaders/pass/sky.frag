@@ -12,7 +12,7 @@
 
 void main() {
     Ray ray = primaryRay();
-    vec3 color = skyColor(ray.direction, frame.cone.x);
+    vec3 color = skyColor(ray.direction, frame.pixelAngle);
 #if GLOWS
     color = glowAlong(ray, kFar) + color;
 #endif

@@ -83,9 +83,9 @@ vec4 pixel(Ray ray) {
 #else
     float fraction = 1.0;
 #if LIGHTS && SHADOWS
-    Light light = loadLight(clamp(frame.limits.y, 0, kLightCount - 1));
+    Light light = loadLight(clamp(frame.light, 0, kLightCount - 1));
     float behind = dot(light.position - surface.point, surface.normal) * dot(ray.direction, surface.normal);
-    fraction = behind > 0.0 ? 0.0 : lightFraction(surface, object, light, frame.cone.x * t); // lit from behind: the surface itself is in the way
+    fraction = behind > 0.0 ? 0.0 : lightFraction(surface, object, light, frame.pixelAngle * t); // lit from behind: the surface itself is in the way
 #endif
     return vec4(vec3(fraction), 1.0);
 #endif

@@ -19,7 +19,7 @@ struct Path {
     float spread; // of the pencil, radians
 };
 
-Path primaryPath() { return Path(vec3(1.0), 1, 0.0, frame.cone.x); }
+Path primaryPath() { return Path(vec3(1.0), 1, 0.0, frame.pixelAngle); }
 
 #if REFRACTION
 #include "ray/bits.glsl"

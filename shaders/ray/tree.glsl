@@ -90,7 +90,7 @@ vec3 traceTree(Ray ray) {
             vec3 direction = incoming; // of the ray that follows, and the side it travels on
             float onwardSide = side;
 #if REFLECTION
-            if (material.optics != kPlain && path.depth < frame.limits.x) {
+            if (material.optics != kPlain && path.depth < frame.depth) {
                 float facingRatio = max(-dot(incoming, normal), 0.0);
                 vec3 mirror = fresnel(material.f0, facingRatio) * paint.a; // what is reflected of what arrives
                 float bend = 2.0 * path.width * surface.curvature / cosine;
@@ -104,7 +104,7 @@ vec3 traceTree(Ray ray) {
                         // Schlick's formula wants the angle on the thinner side.
                         if (!outside) mirror = fresnel(material.f0, sqrt(k));
                         vec3 through = path.share * (1.0 - mirror);
-                        if (largest(through) >= frame.options.x) {
+                        if (largest(through) >= frame.threshold) {
                             vec3 bent = normalize(eta * incoming + (eta * facingRatio - sqrt(k)) * normal);
                             float lens = abs(1.0 - eta) * path.width * surface.curvature / cosine;
                             Path onward = storable(Path(through, path.depth + 1, path.width, path.spread * eta + lens));
@@ -121,7 +121,7 @@ vec3 traceTree(Ray ray) {
                 }
 #endif
                 vec3 mirrorShare = path.share * mirror;
-                if (!follow && largest(mirrorShare) >= frame.options.x) {
+                if (!follow && largest(mirrorShare) >= frame.threshold) {
                     path = Path(mirrorShare, path.depth + 1, path.width, path.spread + bend);
                     direction = mirrored(incoming, normal, facing);
                     follow = true;

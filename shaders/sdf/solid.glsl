@@ -1,7 +1,7 @@
 // A body of a form that is told by its distances: what rays and shadows do with the generated fieldTYPE().
 //
 // intersect  nearest t in (ray.tMin, t), found by marching between where the ray enters and leaves the body's ball.
-//            frame.budget.z steps at most: what they do not reach is not met.
+//            frame.marchSteps steps at most: what they do not reach is not met.
 //            MARCH_STEPS: equal steps of the ball, then bisection: what is thinner than a step may be missed
 //            MARCH_SPHERE: steps as long as the distance, until that is what float32 resolves of the ball
 //            MARCH_CONE: the same, until the pixel's cone, taken to widen from the eye, holds the surface
@@ -39,11 +39,11 @@ bool intersect$Shape($Shape solid, Ray ray, float side, inout float t) {
     float finest = 1e-6 * solid.ball.w;
     float inside = side;
 #if MARCH == MARCH_STEPS
-    float stride = 2.0 * solid.ball.w / float(frame.budget.z);
+    float stride = 2.0 * solid.ball.w / float(frame.marchSteps);
     float last = s;
     bool met = false;
     if (inside == 0.0) inside = marched$Shape(solid.at, near.origin + s * ray.direction).w < 0.0 ? -1.0 : 1.0;
-    for (int i = 0; i < frame.budget.z && !met; ++i) {
+    for (int i = 0; i < frame.marchSteps && !met; ++i) {
         last = s;
         s += stride;
         if (last > end) return false;
@@ -65,7 +65,7 @@ bool intersect$Shape($Shape solid, Ray ray, float side, inout float t) {
 #if $SHAPE_ESTIMATED
     float before = side == 0.0 ? 1e30 : -1.0; // at its start a ray touches the surface that it leaves
 #endif
-    for (int i = 0; i < frame.budget.z && !met; ++i) {
+    for (int i = 0; i < frame.marchSteps && !met; ++i) {
 #if MARCH == MARCH_RELAXED
         if (s > end && s - taken + known < end) { // what lies between is not known to be free
             taken -= s - end;
@@ -87,7 +87,7 @@ bool intersect$Shape($Shape solid, Ray ray, float side, inout float t) {
         if (taken > 0.0) slope = mix(slope, (free - known) / taken, 0.7);
 #endif
 #if MARCH == MARCH_CONE || MARCH == MARCH_RELAXED
-        enough = max(enough, 0.5 * frame.cone.x * (near.tHigh + (near.tLow + s)));
+        enough = max(enough, 0.5 * frame.pixelAngle * (near.tHigh + (near.tLow + s)));
 #endif
         // What the ray recedes from, as the surface that it leaves, it does not meet.
 #if $SHAPE_ESTIMATED
@@ -125,7 +125,7 @@ Surface surface$Shape($Shape solid, Ray ray, float t) {
     NearRay near = recentre(ray.origin, solid.ball.xyz, ray.direction);
     vec3 p = near.origin + ((t - near.tHigh) - near.tLow) * ray.direction;
     float free = field$Shape(solid.at, p).w;
-    vec3 gradient = gradient$Shape(solid.at, p, max(0.25 * frame.cone.x * t, 1e-4 * solid.ball.w));
+    vec3 gradient = gradient$Shape(solid.at, p, max(0.25 * frame.pixelAngle * t, 1e-4 * solid.ball.w));
     float steep = length(gradient);
     vec3 normal = steep > 1e-30 ? gradient / steep : -ray.direction;
 #if $SHAPE_ESTIMATED

@@ -34,7 +34,7 @@ Lit litBy(Material material, vec3 point, vec3 facing, vec3 normal, vec3 toEye, v
     Lit lit;
     lit.counting = 0u;
     vec3 albedo = material.diffuse * tint;
-    float least = max(frame.options.x, 1e-30);
+    float least = max(frame.threshold, 1e-30);
 #for Light in LIGHT_NUMBERS
     lit.added$Light = share * reflectedLight(loadLight($Light), material, albedo, point, facing, normal, toEye);
     lit.counting |= max(lit.added$Light.r, max(lit.added$Light.g, lit.added$Light.b)) >= least ? 1u << $Lightu : 0u;

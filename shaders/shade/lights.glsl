@@ -10,5 +10,5 @@ struct Light {
 Light loadLight(int index) {
     int at = kLightBase + index * 2;
     vec4 place = sceneTexel(at);
-    return Light(place.xyz, frame.options.z < 0.0 ? place.w : frame.options.z, sceneTexel(at + 1).rgb);
+    return Light(place.xyz, frame.lightRadius < 0.0 ? place.w : frame.lightRadius, sceneTexel(at + 1).rgb);
 }

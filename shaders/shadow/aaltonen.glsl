@@ -9,13 +9,13 @@ float visibility(ShadowQuery query) {
     float least = 1.0;
     float before = 1e20;
     float t = cone.radius;
-    for (int i = 0; i < frame.budget.x; ++i) {
+    for (int i = 0; i < frame.shadowSteps; ++i) {
         float free = coneDistance(cone, t);
         float back = free * free / (2.0 * before);
         if (free >= before) back = 0.0; // what recedes was nearest before
         float nearer = sqrt(max(free * free - back * back, 0.0));
         least = min(least, nearer / (cone.radius + max(t - back, 0.0) * slope));
-        if (free < 0.1 * frame.options.y * (cone.radius + t * slope)) return 0.0;
+        if (free < 0.1 * frame.coneError * (cone.radius + t * slope)) return 0.0;
         before = free;
         t += free;
         if (t >= cone.reach) break;

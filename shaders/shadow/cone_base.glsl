@@ -3,8 +3,8 @@
 #include "shadow/share_inverse.glsl"
 
 float met(float relative, float marched) { return relative; }
-float narrower(float nearest) { return shareInverse(shareOf(nearest) - frame.options.y); }
-bool dark(float nearest) { return shareOf(nearest) <= frame.options.y; }
+float narrower(float nearest) { return shareInverse(shareOf(nearest) - frame.coneError); }
+bool dark(float nearest) { return shareOf(nearest) <= frame.coneError; }
 #include "shadow/march.glsl"
 
 float visibility(ShadowQuery query) { return shareOf(nearestAlong(coneOf(query))); }

@@ -38,7 +38,7 @@ float visibility(ShadowQuery query) {
     float nearest = 1.0;
     float marched = narrower(nearest);
     float t = 0.0;
-    for (int i = 0; i < frame.budget.x; ++i) {
+    for (int i = 0; i < frame.shadowSteps; ++i) {
 #if FROM_LIGHT
         float at = cone.reach - t;
         const float towards = -1.0;

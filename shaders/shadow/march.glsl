@@ -13,7 +13,7 @@ float nearestAlong(ShadowCone cone) {
     float nearest = 1.0;
     float marched = narrower(nearest);
     float t = 0.0;
-    for (int i = 0; i < frame.budget.x; ++i) {
+    for (int i = 0; i < frame.shadowSteps; ++i) {
 #if FROM_LIGHT
         float at = cone.reach - t;
 #else

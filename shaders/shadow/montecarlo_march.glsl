@@ -15,7 +15,7 @@ bool hidden(ShadowQuery toPoint) {
     ShadowCone cone = coneOf(toPoint);
     float met = max(kMet * cone.radius, 1e-6 * (dot(abs(cone.start), vec3(1.0)) + cone.reach));
     float t = 0.0;
-    for (int i = 0; i < frame.budget.x && t < cone.reach; ++i) {
+    for (int i = 0; i < frame.shadowSteps && t < cone.reach; ++i) {
         float free = coneDistance(cone, t);
         if (free < met) return true;
         t += free;

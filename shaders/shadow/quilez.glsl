@@ -9,11 +9,11 @@ float visibility(ShadowQuery query) {
     float slope = discSlope(query.distance, query.lightRadius);
     float least = 1.0;
     float t = cone.radius;
-    for (int i = 0; i < frame.budget.x; ++i) {
+    for (int i = 0; i < frame.shadowSteps; ++i) {
         float free = coneDistance(cone, t);
         float wide = cone.radius + t * slope;
         least = min(least, free / wide);
-        if (least < frame.options.y * 0.1) return 0.0;
+        if (least < frame.coneError * 0.1) return 0.0;
         t += free;
         if (t >= cone.reach) break;
     }

@@ -37,8 +37,8 @@ float visibility(ShadowQuery query) {
     float slope = discSlope(query.distance, query.lightRadius);
     vec2 shift = pixelShift(floatBitsToUint(query.ray.direction.x));
     int seen = 0;
-    for (int i = 0; i < frame.budget.y; ++i) {
-        uint index = uint(frame.budget.w + i + 1);
+    for (int i = 0; i < frame.samples; ++i) {
+        uint index = uint(frame.firstSample + i + 1);
         vec2 u = fract(vec2(mirrored2(index), mirrored3(index)) + shift);
         float phi = 6.28318530717959 * u.x;
         vec3 toDisc = query.ray.direction + slope * sqrt(u.y) * (across * vec2(cos(phi), sin(phi)));
@@ -50,5 +50,5 @@ float visibility(ShadowQuery query) {
         if (dot(toPoint.ray.direction, query.normal) <= 0.0 && query.ray.self >= 0) continue; // below the horizon: the body itself
         if (!hidden(toPoint)) ++seen;
     }
-    return float(seen) / float(max(frame.budget.y, 1));
+    return float(seen) / float(max(frame.samples, 1));
 }

@@ -6,12 +6,13 @@
 // preloads  the sum of what it reads: it has to be of use, or compilers leave the reads out
 vec4 preload() {
     const int kMostLooped = 4; // of more a compiler keeps the loop: their places are fixed no longer
-    vec4 sum = frame.options + vec4(frame.limits) + vec4(frame.zero);
+    vec4 sum = vec4(frame.threshold, frame.lightRadius, frame.depth, frame.light) + vec4(frame.zero);
 #if !CUBEMAP
     sum += frame.background;
 #endif
 #if DISTANCES
-    sum += vec4(frame.budget);
+    sum += vec4(frame.coneError, frame.shadowSteps, frame.marchSteps, frame.samples);
+    sum.x += float(frame.firstSample);
 #endif
 #for Shape in SHAPES
 #if $SHAPE_SEARCHED

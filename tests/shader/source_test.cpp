@@ -170,7 +170,7 @@ TEST(SourceShaders, AskEveryObject) {
     const Scene scene = sceneNamed("pro");
     const std::string ours = textOf(scene, {}), theirs = textOf(sourceScene(scene), sourceShaders());
     EXPECT_EQ(toString(problems), "");
-    for (const char* word : {"break;", "occluded(", "frame.options"}) {
+    for (const char* word : {"break;", "occluded(", "frame.threshold"}) {
         EXPECT_NE(ours.find(word), std::string::npos) << word;
         EXPECT_EQ(theirs.find(word), std::string::npos) << word;
     }

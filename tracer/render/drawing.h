@@ -1,7 +1,7 @@
 /// What draws one picture: a scene on the GPU, the programs for it, and settings of which numbers may change.
 #pragma once
 
-#include "tracer/render/frame_uniforms.h"
+#include "tracer/render/frame_block.h"
 #include "tracer/render/gpu_scene.h"
 #include "tracer/settings/settings.h"
 #include "tracer/software/variant_programs.h"

@@ -1,35 +1,36 @@
-/// What changes from frame to frame, as shaders/frame.glsl has it.
+/// The uniform block of shaders/frame.glsl, which says what each member is. Offsets are those of std140: vectors of
+/// four at multiples of 16 bytes, then scalars one after another; the block ends at a multiple of 16.
 #pragma once
-
-#include "tracer/gl/objects.h"
-#include "tracer/render/view.h"
-#include "tracer/scene/scene.h"
-#include "tracer/settings/settings.h"
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
+
 namespace gnomon {
 
-/// In std140.
-struct FrameUniforms {
-    glm::vec4 eye, right, up, forward, origin, background, cone, options, canvas;
-    glm::ivec4 limits, budget, channels;
-    glm::uvec4 zero;
+struct alignas(16) FrameUniforms {
+    glm::vec4 eye{0}, right{0}, up{0}, forward{0}, origin{0}, background{0};
+    glm::ivec4 channels{0};
+    glm::uvec4 zero{0};
+    glm::vec2 canvas{0};
+    float pixelAngle = 0;
+    float threshold = 0;
+    float coneError = 0;
+    float lightRadius = 0;
+    int depth = 0;
+    int light = 0;
+    int encode = 0;
+    int shadowSteps = 0;
+    int marchSteps = 0;
+    int samples = 0;
+    int firstSample = 0;
+    int repeats = 0;
 };
 
-/// `origin` is what the shader's coordinates are relative to; `shown`: for a display, else for reading back.
-FrameUniforms frameUniforms(const View&, const Scene&, glm::dvec3 origin, const Settings&, bool shown);
-
-/// The uniform block on the GPU, and the vertex array that every pass draws with: no vertex has data.
-class FrameBlock {
-  public:
-    FrameBlock();
-    /// Binds both for what is drawn next.
-    void upload(const FrameUniforms&) const;
-
-  private:
-    gl::VertexArray vertexArray_;
-    gl::Buffer buffer_;
-};
+static_assert(offsetof(FrameUniforms, background) == 80 && offsetof(FrameUniforms, channels) == 96 &&
+              offsetof(FrameUniforms, zero) == 112 && offsetof(FrameUniforms, canvas) == 128 &&
+              offsetof(FrameUniforms, pixelAngle) == 136 && offsetof(FrameUniforms, coneError) == 144 &&
+              offsetof(FrameUniforms, encode) == 160 && offsetof(FrameUniforms, firstSample) == 176 &&
+              offsetof(FrameUniforms, repeats) == 180 && sizeof(FrameUniforms) == 192);
 
 } // namespace gnomon

@@ -86,7 +86,7 @@ vec3 traceTree(Ray ray) {
             color += share * shade(material, hit.point, facing, normal, ray, coating.tint);
             ++depth;
 #if REFLECTION
-            if (material.optics != kPlain && coating.mask > 0.0 && depth <= frame.limits.x) {
+            if (material.optics != kPlain && coating.mask > 0.0 && depth <= frame.depth) {
                 vec3 mirror = fresnel(material.f0, -dot(ray.direction, normal)) * coating.mask;
                 follow = true;
 #if REFRACTION

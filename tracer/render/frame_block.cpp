@@ -1,4 +1,4 @@
-#include "tracer/render/frame_uniforms.h"
+#include "tracer/render/frame_block.h"
 
 #include "tracer/shader/program_cache.h"
 
@@ -10,19 +10,26 @@ FrameUniforms frameUniforms(const View& view, const Scene& scene, glm::dvec3 ori
     const double aspect = double(view.width) / view.height;
     const std::string_view channels = colorModes()[std::size_t(settings.colorMode)];
     const auto channel = [&](std::size_t i) { return int(std::string_view("rgb").find(channels[i])); };
-    FrameUniforms frame{};
+    FrameUniforms frame;
     frame.eye = glm::vec4(camera.eye - origin, 0);
     frame.right = glm::vec4(camera.right * camera.halfHeight * aspect, 0);
     frame.up = glm::vec4(camera.up * camera.halfHeight, 0);
     frame.forward = glm::vec4(camera.forward, 0);
     frame.origin = glm::vec4(origin, 0);
     frame.background = glm::vec4(scene.background.color, 1);
-    frame.cone.x = float(2 * camera.halfHeight / view.height);
-    frame.options = glm::vec4(settings.threshold, settings.epsilon, settings.lightRadius.value_or(-1), 0);
-    frame.budget = glm::ivec4(settings.shadowSteps, settings.samples, settings.marchSteps, settings.firstSample);
-    frame.canvas = glm::vec4(view.width, view.height, 0, 0);
-    frame.limits = glm::ivec4(settings.depth, settings.light, shown, 0);
     frame.channels = glm::ivec4(channel(0), channel(1), channel(2), 0);
+    frame.canvas = glm::vec2(view.width, view.height);
+    frame.pixelAngle = float(2 * camera.halfHeight / view.height);
+    frame.threshold = float(settings.threshold);
+    frame.coneError = float(settings.epsilon);
+    frame.lightRadius = float(settings.lightRadius.value_or(-1));
+    frame.depth = settings.depth;
+    frame.light = settings.light;
+    frame.encode = shown;
+    frame.shadowSteps = settings.shadowSteps;
+    frame.marchSteps = settings.marchSteps;
+    frame.samples = settings.samples;
+    frame.firstSample = settings.firstSample;
     return frame;
 }
 
