@@ -2,6 +2,7 @@
 /// framebuffer is a token of a few pixels, or missing.
 #pragma once
 
+#include "tracer/gl/generation.h"
 #include "tracer/gl/gl.h"
 #include "tracer/problem.h"
 
@@ -25,7 +26,7 @@ const std::vector<std::string_view>& contextNames();
 
 class Context {
   public:
-    virtual ~Context() = default;
+    virtual ~Context() { gl::contextLost(); } ///< what was made in it is gone
     virtual bool makeCurrent() = 0;
     virtual gl::Resolver resolver() const = 0;
 };

@@ -12,21 +12,32 @@
 
 namespace gnomon::test {
 
-Context& offscreen(ContextKind kind) {
-    static std::unique_ptr<Context> context;
-    static ContextKind current;
-    if (context && current == kind) return *context;
-    context.reset();
+namespace {
+
+struct Current {
+    std::unique_ptr<Context> context;
+    ContextKind kind = ContextKind::OsMesa;
+};
+Current current;
+
+void begin(ContextKind kind) {
+    current.context.reset();
     Problems problems;
-    context = makeContext(kind, problems);
-    current = kind;
-    if (!context) {
-        std::fprintf(stderr, "no %s context, so nothing can be tested: %s\n", std::string(nameOf(kind)).c_str(),
-                     toString(problems).c_str());
-        std::abort();
-    }
-    return *context;
+    current = {makeContext(kind, problems), kind};
+    if (current.context) return;
+    std::fprintf(stderr, "no %s context, so nothing can be tested: %s\n", std::string(nameOf(kind)).c_str(),
+                 toString(problems).c_str());
+    std::abort();
 }
+
+} // namespace
+
+Context& offscreen(ContextKind kind) {
+    if (!current.context || current.kind != kind) begin(kind);
+    return *current.context;
+}
+
+void renewContext() { begin(current.kind); }
 
 Drawing::Drawing(const Scene& scene, Settings settings, std::span<const ShaderFile> overrides) : renderer_(overrides) {
     view = {scene.camera, settings.time, settings.size.x, settings.size.y};

@@ -14,6 +14,9 @@ namespace gnomon::test {
 /// loudly, where this machine has none of that kind.
 Context& offscreen(ContextKind = ContextKind::OsMesa);
 
+/// Ends that context and makes another of its kind: what a lost one comes to.
+void renewContext();
+
 /// A scene by name with its images, ready to draw with `settings`. Fails the running test on any problem.
 class Drawing {
   public:
