@@ -20,7 +20,7 @@ function rows(graph) {
   return depth;
 }
 
-/** Nodes by row from the bottom, and links from row to row; a line that passes a row gets a node without a room there. */
+/** Nodes by row from the bottom, and links from row to row; a line that passes a row gets a bend, a node of no room. */
 function layers(graph, depth) {
   const nodes = [...graph.keys()].map((room) => ({ room, row: depth.get(room), down: [], up: [] }));
   const byRoom = new Map(nodes.map((node) => [node.room, node]));
@@ -101,8 +101,8 @@ function wished(node) {
 }
 
 /**
- * Rows from the bottom, whose nodes have `x`, their middle, and lines as lists of nodes. `apart(a, b)`: the distance that
- * the middles of two neighbours keep.
+ * Rows from the bottom, whose nodes have `x`, their middle, and lines as lists of nodes. `apart(a, b)`: the distance
+ * that the middles of two neighbours keep.
  */
 export function layout(graph, apart) {
   const { all, lines } = layers(graph, rows(graph));

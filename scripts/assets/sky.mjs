@@ -2,7 +2,8 @@
 //
 // makeSky(report) -> {'sky-px.png' … 'sky-nz.png'}: six faces by OpenGL's rules for cube maps, row 0 at t = 0
 // skyDirection(ra, dec)  the world direction of a place of the sky (degrees): +y is the celestial north pole, +x the
-//                        point of spring, right-handed; right ascension grows to the left as seen from inside with north up
+//                        point of spring, right-handed; right ascension grows to the left as seen from inside with
+//                        north up
 //
 // Light is added in linear units and stored as sRGB. A star is a Gaussian spot of fixed angle on the sphere, so that it
 // is round wherever on a face it falls, and it is drawn on every face it touches, so that no edge cuts it.

@@ -83,8 +83,8 @@ export function normalMap(heights, width, height) {
     const latitude = latitudeOf(y, height);
     const fade = Math.min(1, (90 - Math.abs(latitude)) / poleFade);
     const above = Math.max(0, y - 1), below = Math.min(height - 1, y + 1);
-    // Near a pole the east difference is taken over a wider interval, so that it spans about as much ground as the north
-    // one.
+    // Near a pole the east difference is taken over a wider interval, so that it spans about as much ground as the
+    // north one.
     const reach = Math.max(1, Math.round(1 / Math.max(0.02, Math.cos(latitude * degree))));
     const east = 2 * reach * eastStep * Math.cos(latitude * degree), north = (below - above) * northStep;
     for (let x = 0; x < width; ++x) {
