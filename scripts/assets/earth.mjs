@@ -34,7 +34,8 @@ function forTexelsNearLine(line, reach, visit) {
     const top = Math.max(0, Math.floor(((90 - Math.max(latA, latB) - reach) / 180) * height));
     const bottom = Math.min(height - 1, Math.ceil(((90 - Math.min(latA, latB) + reach) / 180) * height));
     const westmost = Math.min(0, bx) - reach, eastmost = Math.max(0, bx) + reach;
-    const from = Math.floor(((lonA + westmost / squeeze + 180) / 360) * width), to = Math.ceil(((lonA + eastmost / squeeze + 180) / 360) * width);
+    const from = Math.floor(((lonA + westmost / squeeze + 180) / 360) * width),
+      to = Math.ceil(((lonA + eastmost / squeeze + 180) / 360) * width);
     for (let y = top; y <= bottom; ++y) {
       for (let x = from; x <= to; ++x) {
         const px = wrapped(longitudeOf(x, width) - lonA) * squeeze, py = latitudeOf(y, height) - latA;
@@ -68,13 +69,18 @@ function coastDistance(isLand, directions) {
     for (let x = 0; x < width; ++x) {
       const i = y * width + x, east = y * width + ((x + 1) % width), south = i + width;
       if (isLand[i] !== isLand[east]) { source[i] = i; source[east] = east; chord[i] = chord[east] = 0; }
-      if (y + 1 < height && isLand[i] !== isLand[south]) { source[i] = i; source[south] = south; chord[i] = chord[south] = 0; }
+      if (y + 1 < height && isLand[i] !== isLand[south]) {
+        source[i] = i;
+        source[south] = south;
+        chord[i] = chord[south] = 0;
+      }
     }
   }
   const offer = (i, from) => {
     const s = source[from];
     if (s < 0 || s === source[i]) return;
-    const dx = directions[3 * i] - directions[3 * s], dy = directions[3 * i + 1] - directions[3 * s + 1], dz = directions[3 * i + 2] - directions[3 * s + 2];
+    const dx = directions[3 * i] - directions[3 * s], dy = directions[3 * i + 1] - directions[3 * s + 1],
+      dz = directions[3 * i + 2] - directions[3 * s + 2];
     const squared = dx * dx + dy * dy + dz * dz;
     if (squared < chord[i]) { chord[i] = squared; source[i] = s; }
   };
@@ -98,15 +104,20 @@ function coastDistance(isLand, directions) {
 }
 
 const palette = {
-  rainforest: [38, 72, 26], savanna: [128, 122, 62], steppe: [142, 132, 84], broadleaf: [66, 94, 42], taiga: [52, 72, 42],
-  tundra: [124, 118, 96], sand: [208, 178, 126], redSand: [184, 112, 68], greySand: [168, 146, 108], rock: [112, 98, 82],
+  rainforest: [38, 72, 26], savanna: [128, 122, 62], steppe: [142, 132, 84], broadleaf: [66, 94, 42],
+  taiga: [52, 72, 42],
+  tundra: [124, 118, 96], sand: [208, 178, 126], redSand: [184, 112, 68], greySand: [168, 146, 108],
+  rock: [112, 98, 82],
   ice: [243, 246, 246], seaIce: [222, 231, 231],
   abyss: [7, 22, 62], ocean: [12, 38, 92], shelf: [28, 84, 128], lagoon: [52, 132, 150], polar: [20, 48, 84],
 };
 const blend = (a, b, t) => [mix(a[0], b[0], t), mix(a[1], b[1], t), mix(a[2], b[2], t)];
 
 const redGround = [[133, -25, 16, 10, 1], [18, -24, 8, 8, 0.5], [48, 20, 5, 4, 0.5], [-8, 20, 8, 5, 0.25]];
-const greyGround = [[104, 42, 14, 6, 1], [62, 42, 12, 6, 0.9], [88, 34, 12, 5, 1], [57, 32, 9, 5, 0.7], [-69, -44, 5, 8, 0.9], [-117, 40, 7, 5, 0.8]];
+const greyGround = [
+  [104, 42, 14, 6, 1], [62, 42, 12, 6, 0.9], [88, 34, 12, 5, 1], [57, 32, 9, 5, 0.7], [-69, -44, 5, 8, 0.9],
+  [-117, 40, 7, 5, 0.8],
+];
 
 function landColor(place) {
   const { longitude, latitude, temperature, wet, kilometres, grain, region } = place;
@@ -115,7 +126,8 @@ function landColor(place) {
   const hot = smoothstep(15, 23, temperature), cold = smoothstep(7, 1, temperature);
   const grass = blend(palette.steppe, palette.savanna, hot);
   const forest = blend(blend(palette.broadleaf, palette.rainforest, hot), palette.taiga, cold);
-  let color = wet < 0.44 ? blend(desert, grass, smoothstep(0.06, 0.42, wet)) : blend(grass, forest, smoothstep(0.46, 0.88, wet));
+  let color =
+    wet < 0.44 ? blend(desert, grass, smoothstep(0.06, 0.42, wet)) : blend(grass, forest, smoothstep(0.46, 0.88, wet));
   color = blend(color, palette.rock, clamp(0.8 * smoothstep(0.9, 3, kilometres) * (0.8 + 0.4 * grain)));
   color = blend(color, palette.tundra, smoothstep(-4, -9, temperature + 2 * grain));
   color = color.map((c) => c * (1 + 0.13 * grain + 0.22 * region));
@@ -134,8 +146,8 @@ function waterColor({ latitude, offshore, tone }) {
   return blend(color, palette.lagoon, (0.25 + 0.35 * tropical) * (1 - smoothstep(0, 0.7, depth)));
 }
 
-// Rounded to bytes so that the rule of this file holds. Colours are a multiple of two: no eye sees the lost bit, and the
-// file is a quarter smaller.
+// Rounded to bytes so that the rule of this file holds. Colours are a multiple of two: no eye sees the lost bit, and
+// the file is a quarter smaller.
 function storeColor(data, i, color, isWater) {
   let [r, g, b] = color.map((c) => 2 * Math.round(clamp(c, 0, 254) / 2));
   if (isWater) b = Math.max(b, r + 2, g + 2);
@@ -156,7 +168,8 @@ export function makeEarth(report = () => {}) {
   }
   const isLand = Uint8Array.from(coverage, (c) => (c >= 0.5 ? 1 : 0));
   const directions = new Float64Array(texels * 3);
-  for (let y = 0; y < height; ++y) for (let x = 0; x < width; ++x) directions.set(texelDirection(x, y, width, height), (y * width + x) * 3);
+  for (let y = 0; y < height; ++y)
+    for (let x = 0; x < width; ++x) directions.set(texelDirection(x, y, width, height), (y * width + x) * 3);
 
   report('distance to the coast');
   const coast = coastDistance(isLand, directions);
@@ -181,7 +194,9 @@ export function makeEarth(report = () => {}) {
     const broad = bumps(plateaus, longitude, latitude);
     plains[i] = shore * Math.max(0, 0.25 + 0.7 * roll + broad) + mountain[i] * 0.5;
     const icy = Math.max(smoothstep(-62, -66, latitude), iceSheet(longitude, latitude, coast[i], 0));
-    relief[i] = shore * (1 - 0.75 * icy) * (0.35 * roll + 0.5 * crest * (0.35 + 0.5 * broad)) + mountain[i] * (0.25 + 0.95 * crest) + shore * broad * 0.7;
+    relief[i] =
+      shore * (1 - 0.75 * icy) * (0.35 * roll + 0.5 * crest * (0.35 + 0.5 * broad))
+      + mountain[i] * (0.25 + 0.95 * crest) + shore * broad * 0.7;
     heights[i] = Math.max(0, relief[i] + 0.12 * shore);
   }
 
@@ -192,15 +207,21 @@ export function makeEarth(report = () => {}) {
     const [x, y, z] = directions.subarray(3 * i, 3 * i + 3);
     const longitude = longitudeOf(i % width, width), latitude = latitudeOf(Math.floor(i / width), height);
     if (isLand[i]) {
-      const kilometres = plains[i], grain = 1.6 * fractal(climate, 5, 30 * x, 30 * y, 30 * z, 0.65), region = fractal(climate, 4, 6 * x, 6 * y, 6 * z);
-      const temperature = 28 - 0.0073 * latitude * latitude - 5.5 * Math.max(0, heights[i] * 0.55 + kilometres * 0.45 - 0.3) + bumps(warmth, longitude, latitude) + 3 * region;
+      const kilometres = plains[i], grain = 1.6 * fractal(climate, 5, 30 * x, 30 * y, 30 * z, 0.65),
+        region = fractal(climate, 4, 6 * x, 6 * y, 6 * z);
+      const temperature =
+        28 - 0.0073 * latitude * latitude - 5.5 * Math.max(0, heights[i] * 0.55 + kilometres * 0.45 - 0.3)
+        + bumps(warmth, longitude, latitude) + 3 * region;
       const away = Math.abs(latitude);
       // The borders of dry and wet wander by a few degrees, or the ellipses they are made of would show.
-      const bentLongitude = longitude + 7 * fractal(climate, 5, 7 * x + 9, 7 * y, 7 * z, 0.6), bentLatitude = latitude + 5 * fractal(climate, 5, 7 * x, 7 * y + 9, 7 * z, 0.6);
-      const rain = 0.62 * Math.exp(-Math.pow(bentLatitude / 13, 2)) + 0.62 * Math.exp(-Math.pow((away - 52) / 17, 2)) + 0.22;
+      const bentLongitude = longitude + 7 * fractal(climate, 5, 7 * x + 9, 7 * y, 7 * z, 0.6),
+        bentLatitude = latitude + 5 * fractal(climate, 5, 7 * x, 7 * y + 9, 7 * z, 0.6);
+      const rain =
+        0.62 * Math.exp(-Math.pow(bentLatitude / 13, 2)) + 0.62 * Math.exp(-Math.pow((away - 52) / 17, 2)) + 0.22;
       const wet = rain + bumps(moisture, bentLongitude, bentLatitude) + 0.4 * region + 0.14 * grain;
       let texel = landColor({ longitude, latitude, temperature, wet, kilometres: heights[i], grain, region });
-      texel = blend(texel, palette.ice, Math.max(iceSheet(longitude, latitude, coast[i], grain), smoothstep(-60, -61, latitude)));
+      const ice = Math.max(iceSheet(longitude, latitude, coast[i], grain), smoothstep(-60, -61, latitude));
+      texel = blend(texel, palette.ice, ice);
       if (texel[0] > 225) texel = texel.map((c) => c * (1 - 0.025 * Math.abs(grain)));
       storeColor(color.data, i, texel, false);
       continue;
@@ -228,9 +249,14 @@ export function makeEarth(report = () => {}) {
 
 // 1 on the great ice sheets and caps of the north, 0 off them; the rim of Greenland is bare ground.
 function iceSheet(longitude, latitude, inland, grain) {
-  const greenland = bumps([[-42, 76, 22, 8, 1.6], [-44, 66, 6, 7, 1.6]], longitude, latitude) > 0.32 && longitude > -73 && latitude > 59.5;
+  const inland = bumps([[-42, 76, 22, 8, 1.6], [-44, 66, 6, 7, 1.6]], longitude, latitude);
+  const greenland = inland > 0.32 && longitude > -73 && latitude > 59.5;
   const rim = greenland ? smoothstep(0.35, 1.0, inland + 0.35 * grain) : 0;
-  const caps = bumps([[-78, 80, 9, 2.5, 1], [-72, 70, 3, 1.5, 0.6], [18, 79, 6, 1.2, 1], [58, 80.8, 8, 1, 1.2], [62, 76, 4, 1.4, 0.9], [97, 80, 6, 1.4, 1], [-17.5, 64.5, 1.3, 0.4, 1.2]], longitude, latitude);
+  const islands = [
+    [-78, 80, 9, 2.5, 1], [-72, 70, 3, 1.5, 0.6], [18, 79, 6, 1.2, 1], [58, 80.8, 8, 1, 1.2],
+    [62, 76, 4, 1.4, 0.9], [97, 80, 6, 1.4, 1], [-17.5, 64.5, 1.3, 0.4, 1.2],
+  ];
+  const caps = bumps(islands, longitude, latitude);
   return Math.max(rim, smoothstep(0.42, 0.72, caps + 0.25 * grain));
 }
 

@@ -2,8 +2,8 @@
 //
 // makeGrid() -> {'grid.png': picture}
 //
-// The lines have soft profiles a few texels wide, and the finer ones are fainter: on the way down the mip levels the fine
-// lines melt into the cell first and the border last, to a grey that differs little from the cell's mean.
+// The lines have soft profiles a few texels wide, and the finer ones are fainter: on the way down the mip levels the
+// fine lines melt into the cell first and the border last, to a grey that differs little from the cell's mean.
 const size = 512;
 
 const lines = [

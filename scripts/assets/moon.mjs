@@ -1,5 +1,6 @@
 // Moon: a procedural one. Craters by a power law, each with bowl, rim and blanket; dark plains on the side that faces
-// longitude 0; bright rays about the young. Everything is measured on the sphere: there is no seam, and the poles are whole.
+// longitude 0; bright rays about the young. Everything is measured on the sphere: there is no seam, and the poles are
+// whole.
 //
 // makeMoon() -> {'moon-color.png': picture, 'moon-normal.png': picture}
 import { clamp, fractal, gradientNoise, mix, randomStream, smoothstep } from './noise.mjs';
@@ -35,7 +36,8 @@ function makeCraters() {
     craters.push({ center: [flat * Math.cos(angle), flat * Math.sin(angle), z], radius, age: random() });
   }
   craters.sort((a, b) => b.radius - a.radius);      // the small came later: they lie on the large
-  for (const [lon, lat, radius] of young) craters.push({ center: direction(lon, lat), radius: radius * degree, age: 0 });
+  for (const [lon, lat, radius] of young)
+    craters.push({ center: direction(lon, lat), radius: radius * degree, age: 0 });
   return craters;
 }
 
@@ -52,16 +54,20 @@ function forTexelsNear(directions, center, reach, visit) {
     if (!(edge <= 1)) continue;
     const half = edge <= -1 ? Math.PI : Math.acos(edge);
     const middle = ((longitude + Math.PI) / (2 * Math.PI)) * width, span = (half / (2 * Math.PI)) * width;
-    const from = span >= width / 2 - 1 ? 0 : Math.floor(middle - span), to = span >= width / 2 - 1 ? width - 1 : Math.ceil(middle + span);
+    const from = span >= width / 2 - 1 ? 0 : Math.floor(middle - span),
+      to = span >= width / 2 - 1 ? width - 1 : Math.ceil(middle + span);
     for (let x = from; x <= to; ++x) {
       const texel = y * width + ((x % width) + width) % width;
-      const dot = directions[3 * texel] * center[0] + directions[3 * texel + 1] * center[1] + directions[3 * texel + 2] * center[2];
+      const dot =
+        directions[3 * texel] * center[0] + directions[3 * texel + 1] * center[1]
+        + directions[3 * texel + 2] * center[2];
       if (dot > limit) visit(texel, Math.acos(clamp(dot, -1, 1)));
     }
   }
 }
 
-// Height in crater radii at r crater radii from the middle: a bowl, or for the large a flat floor with a peak; a rim; a blanket.
+// Height in crater radii at r crater radii from the middle: a bowl, or for the large a flat floor with a peak; a rim; a
+// blanket.
 function craterProfile(r, large) {
   const floor = mix(-0.16, -0.1, large);
   const bowl = floor + (0.05 - floor) * Math.pow(r, mix(2.2, 5, large));
@@ -79,10 +85,12 @@ export function makeMoon() {
   const shape = gradientNoise(11), texture = gradientNoise(12), tone = gradientNoise(13);
   const mare = new Float32Array(texels), heights = new Float32Array(texels), albedo = new Float32Array(texels);
 
-  const basins = maria.map(([lon, lat, radius, depth]) => ({ center: direction(lon, lat), radius: radius * degree, depth }));
+  const basins =
+    maria.map(([lon, lat, radius, depth]) => ({ center: direction(lon, lat), radius: radius * degree, depth }));
   for (let i = 0; i < texels; ++i) {
     const [x, y, z] = directions.subarray(3 * i, 3 * i + 3);
-    const ragged = 0.3 * fractal(shape, 6, 4 * x, 4 * y, 4 * z, 0.55) + 0.06 * fractal(texture, 3, 14 * x, 14 * y, 14 * z);
+    const ragged =
+      0.3 * fractal(shape, 6, 4 * x, 4 * y, 4 * z, 0.55) + 0.06 * fractal(texture, 3, 14 * x, 14 * y, 14 * z);
     let open = 1;
     for (const { center, radius, depth } of basins) {
       const angle = Math.acos(clamp(x * center[0] + y * center[1] + z * center[2], -1, 1));
@@ -118,12 +126,14 @@ export function makeMoon() {
     const north = direction(lon, lat + 90);
     forTexelsNear(directions, center, reach * degree, (i, angle) => {
       const d = directions.subarray(3 * i, 3 * i + 3);
-      const e = d[0] * east[0] + d[1] * east[1] + d[2] * east[2], n = d[0] * north[0] + d[1] * north[1] + d[2] * north[2];
+      const e = d[0] * east[0] + d[1] * east[1] + d[2] * east[2],
+        n = d[0] * north[0] + d[1] * north[1] + d[2] * north[2];
       const length = Math.hypot(e, n) || 1, along = angle / (reach * degree), r = angle / (radius * degree);
       // Noise over the direction only makes straight rays; a little of the distance in it breaks them up.
       const ray = fractal(streak, 3, 4.2 * (e / length) + 10 * index, 4.2 * (n / length), 1.1 * along);
       const broken = 0.75 + 0.5 * fractal(texture, 3, 22 * d[0], 22 * d[1], 22 * d[2]);
-      const own = 0.4 + 0.6 * smoothstep(-0.5, 0.5, streak(1.7 * (e / length) + 5, 1.7 * (n / length) - 10 * index, 0.5));
+      const own =
+        0.4 + 0.6 * smoothstep(-0.5, 0.5, streak(1.7 * (e / length) + 5, 1.7 * (n / length) - 10 * index, 0.5));
       const rays = smoothstep(own, own * 0.4, along) * smoothstep(0.08, 0.42, ray) * broken * smoothstep(1, 2, r);
       const halo = Math.exp(-Math.pow(r / 2.6, 2));
       albedo[i] += 0.2 * rays * (1 - 0.5 * along) + 0.22 * halo;
@@ -138,7 +148,10 @@ export function makeMoon() {
     data[3 * i + 1] = Math.round(255 * level * 0.985);
     data[3 * i + 2] = Math.round(255 * level * mix(0.965, 0.95, level));
   }
-  return { 'moon-color.png': { width, height, channels: 3, data }, 'moon-normal.png': normalMap(heights, width, height) };
+  return {
+    'moon-color.png': { width, height, channels: 3, data },
+    'moon-normal.png': normalMap(heights, width, height),
+  };
 }
 
 function texelOf([x, y, z]) {

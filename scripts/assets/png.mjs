@@ -2,9 +2,9 @@
 //
 // encodePng({width, height, channels, data}) -> Buffer; channels is 1 (grey) or 3 (RGB), row 0 is the top
 //
-// A picture whose texels are all grey is stored as grey, one of at most 256 colours as a palette (of 1, 2, 4 or 8 bits).
-// Every row filter is tried, and the smallest result kept. No chunk holds a date or a program's name, so that equal
-// pictures give equal bytes.
+// A picture whose texels are all grey is stored as grey, one of at most 256 colours as a palette (of 1, 2, 4 or 8
+// bits). Every row filter is tried, and the smallest result kept. No chunk holds a date or a program's name, so that
+// equal pictures give equal bytes.
 import zlib from 'node:zlib';
 
 const signature = Buffer.from([0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a]);
@@ -126,7 +126,8 @@ export function encodePng(image) {
     const indices = new Uint8Array(width * height);
     for (let i = 0; i < indices.length; ++i) {
       const at = i * channels;
-      indices[i] = indexOf.get(channels === 1 ? data[at] * 0x10101 : (data[at] << 16) | (data[at + 1] << 8) | data[at + 2]);
+      indices[i] =
+        indexOf.get(channels === 1 ? data[at] * 0x10101 : (data[at] << 16) | (data[at + 1] << 8) | data[at + 2]);
     }
     rows = packBits(indices, width, height, bits);
   }

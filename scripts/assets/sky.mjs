@@ -1,11 +1,12 @@
 // Sky: the stars to magnitude 7.2 where a catalogue has them, and the Milky Way within its observed outlines.
 //
 // makeSky(report) -> {'sky-px.png' … 'sky-nz.png'}: six faces by OpenGL's rules for cube maps, row 0 at t = 0
-// skyDirection(ra, dec)  the world direction of a place of the sky (degrees): +y is the celestial north pole, +x the point of
-//                        spring, right-handed; right ascension grows to the left as seen from inside with north up
+// skyDirection(ra, dec)  the world direction of a place of the sky (degrees): +y is the celestial north pole, +x the
+//                        point of spring, right-handed; right ascension grows to the left as seen from inside with
+//                        north up
 //
-// Light is added in linear units and stored as sRGB. A star is a Gaussian spot of fixed angle on the sphere, so that it is
-// round wherever on a face it falls, and it is drawn on every face it touches, so that no edge cuts it.
+// Light is added in linear units and stored as sRGB. A star is a Gaussian spot of fixed angle on the sphere, so that it
+// is round wherever on a face it falls, and it is drawn on every face it touches, so that no edge cuts it.
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { blackbodyColor, temperatureOf } from './star-color.mjs';
@@ -14,7 +15,8 @@ import { direction, fillRings } from './sphere.mjs';
 
 const size = 1024;
 const degree = Math.PI / 180;
-const read = (name) => JSON.parse(readFileSync(createRequire(import.meta.url).resolve(`d3-celestial/data/${name}`), 'utf8'));
+const pathOf = (name) => createRequire(import.meta.url).resolve(`d3-celestial/data/${name}`);
+const read = (name) => JSON.parse(readFileSync(pathOf(name), 'utf8'));
 
 export function skyDirection(ra, dec) {
   const a = ra * degree, d = dec * degree;
@@ -72,8 +74,8 @@ function blurred(map, sigma) {
   return from;
 }
 
-// The five nested outlines, from the faint edge to the bright clouds: how much light each adds, and how soft its edge is
-// in degrees.
+// The five nested outlines, from the faint edge to the bright clouds: how much light each adds, and how soft its edge
+// is in degrees.
 const outlines = { ol1: [0.2, 2.6], ol2: [0.24, 1.7], ol3: [0.24, 1.3], ol4: [0.22, 1], ol5: [0.2, 0.8] };
 
 // Light of the Milky Way before its fine structure, as a map in galactic longitude and latitude.
@@ -111,7 +113,8 @@ function milkyWay(map, [x, y, z]) {
   const centre = Math.exp(-((longitude / degree / 24) ** 2) - (b / 9) ** 2);
   const structure = 1 + 1.1 * fractal(clouds, 6, 7 * x, 7 * y, 9 * z, 0.6);
   // Dust lies in a sheet much thinner than the stars: it darkens near the galactic equator only.
-  const lane = smoothstep(0.42, 0.72, ridged(dust, 5, 3.2 * x, 3.2 * y, 7 * z, 0.55) + 0.22 * fractal(veil, 5, 16 * x, 16 * y, 16 * z, 0.6));
+  const ridge = ridged(dust, 5, 3.2 * x, 3.2 * y, 7 * z, 0.55);
+  const lane = smoothstep(0.42, 0.72, ridge + 0.22 * fractal(veil, 5, 16 * x, 16 * y, 16 * z, 0.6));
   const shade = 1 - 0.72 * lane * Math.exp(-(((b + 1.2 * veil(2 * x, 2 * y, 2 * z)) / 5) ** 2));
   const level = base * Math.max(0.12, structure) * shade * (1 + 1.3 * centre);
   const light = 0.046 * Math.pow(level, 1.2);
@@ -120,10 +123,11 @@ function milkyWay(map, [x, y, z]) {
 }
 
 const toStored = (linear) => 255 * (linear <= 0.0031308 ? 12.92 * linear : 1.055 * Math.pow(linear, 1 / 2.4) - 0.055);
-const toLinear = (stored) => (stored / 255 <= 0.04045 ? stored / 255 / 12.92 : Math.pow((stored / 255 + 0.055) / 1.055, 2.4));
+const toLinear = (stored) =>
+  (stored / 255 <= 0.04045 ? stored / 255 / 12.92 : Math.pow((stored / 255 + 0.055) / 1.055, 2.4));
 
-// What is too bright to store: a soft shoulder that keeps the hue, so that a red star is not yellow, and whitens the middle of
-// the very brightest as an eye or a film does.
+// What is too bright to store: a soft shoulder that keeps the hue, so that a red star is not yellow, and whitens the
+// middle of the very brightest as an eye or a film does.
 function shouldered(light) {
   const most = Math.max(...light);
   if (most < 0.2) return light;
@@ -169,9 +173,13 @@ function addStar(frame, face, star) {
   for (let y = top; y <= bottom; ++y) {
     for (let x = left; x <= right; ++x) {
       const d = face.at((2 * (x + 0.5)) / size - 1, (2 * (y + 0.5)) / size - 1), scale = 1 / Math.hypot(...d);
-      const squared = (d[0] * scale - star.toward[0]) ** 2 + (d[1] * scale - star.toward[1]) ** 2 + (d[2] * scale - star.toward[2]) ** 2;
+      const squared =
+        (d[0] * scale - star.toward[0]) ** 2 + (d[1] * scale - star.toward[1]) ** 2
+        + (d[2] * scale - star.toward[2]) ** 2;
       if (squared > reach * reach) continue;
-      const light = star.light * Math.exp(-squared / (2 * spotSigma * spotSigma)) + (star.halo > 0 ? haloAt(star.halo, squared) - least : 0);
+      const light =
+        star.light * Math.exp(-squared / (2 * spotSigma * spotSigma))
+        + (star.halo > 0 ? haloAt(star.halo, squared) - least : 0);
       if (light <= 0) continue;
       const at = (y * size + x) * 3;
       for (let c = 0; c < 3; ++c) frame[at + c] += light * star.color[c];
@@ -192,7 +200,8 @@ export function makeSky(report = () => {}) {
     const data = new Uint8Array(size * size * 3);
     for (let y = 0; y < size; ++y) {
       for (let x = 0; x < size; ++x) {
-        const [dx, dy, dz] = face.at((2 * (x + 0.5)) / size - 1, (2 * (y + 0.5)) / size - 1), scale = 1 / Math.hypot(dx, dy, dz);
+        const [dx, dy, dz] = face.at((2 * (x + 0.5)) / size - 1, (2 * (y + 0.5)) / size - 1),
+          scale = 1 / Math.hypot(dx, dy, dz);
         // World axes to the equatorial axes of astronomy (x to spring, z to the north pole).
         const cloud = milkyWay(map, apply(galactic, [dx * scale, -dz * scale, dy * scale]));
         const at = (y * size + x) * 3;
@@ -202,7 +211,8 @@ export function makeSky(report = () => {}) {
         const dither = hash(faceNumber, x, y, 3);
         const light = shouldered([0, 1, 2].map((c) => glow[at + c] + points[at + c]));
         for (let c = 0; c < 3; ++c) {
-          data[at + c] = lit ? Math.min(255, Math.floor(toStored(backgroundLight[c] + light[c]) + dither)) : background[c];
+          data[at + c] =
+            lit ? Math.min(255, Math.floor(toStored(backgroundLight[c] + light[c]) + dither)) : background[c];
         }
       }
     }

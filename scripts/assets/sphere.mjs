@@ -1,7 +1,8 @@
 // Sphere: pictures of a whole sphere, u = 0 at longitude -180 and u = 1 at +180, row 0 at the north pole.
 //
 // texelDirection(x, y, width, height)  unit vector of a texel's centre; longitude 0 is +x, 90 east is +y, north is +z
-// fillRings(rings, width, height)      coverage 0 … 1 of every texel by rings of [longitude, latitude] in degrees, even-odd
+// fillRings(rings, width, height)      coverage 0 … 1 of every texel by rings of [longitude, latitude] in degrees,
+//                                      even-odd
 // normalMap(heights, width, height)    tangent-space normals of a height field in radii: x east, y north, z out
 
 const degree = Math.PI / 180;
@@ -15,8 +16,8 @@ export const longitudeOf = (x, width) => ((x + 0.5) / width) * 360 - 180;
 export const latitudeOf = (y, height) => 90 - ((y + 0.5) / height) * 180;
 export const texelDirection = (x, y, width, height) => direction(longitudeOf(x, width), latitudeOf(y, height));
 
-// The ring with longitudes that never jump. A ring that goes round a pole is closed over the south pole: for the even-odd
-// rule it then covers all that lies south of it.
+// The ring with longitudes that never jump. A ring that goes round a pole is closed over the south pole: for the
+// even-odd rule it then covers all that lies south of it.
 function unrolled(ring) {
   const points = [];
   let turn = 0;
@@ -82,7 +83,8 @@ export function normalMap(heights, width, height) {
     const latitude = latitudeOf(y, height);
     const fade = Math.min(1, (90 - Math.abs(latitude)) / poleFade);
     const above = Math.max(0, y - 1), below = Math.min(height - 1, y + 1);
-    // Near a pole the east difference is taken over a wider stretch, so that it spans about as much ground as the north one.
+    // Near a pole the east difference is taken over a wider interval, so that it spans about as much ground as the
+    // north one.
     const reach = Math.max(1, Math.round(1 / Math.max(0.02, Math.cos(latitude * degree))));
     const east = 2 * reach * eastStep * Math.cos(latitude * degree), north = (below - above) * northStep;
     for (let x = 0; x < width; ++x) {
@@ -92,7 +94,8 @@ export function normalMap(heights, width, height) {
       const length = Math.hypot(slopeEast, slopeNorth, 1);
       const stored = [slopeEast, slopeNorth].map((slope) => coarse * Math.round((-127 * slope) / (length * coarse)));
       // The third component follows from the two as they are stored, so that the vector stays of unit length.
-      data.set([128 + stored[0], 128 + stored[1], Math.round(128 + Math.sqrt(127 * 127 - stored[0] ** 2 - stored[1] ** 2))], (y * width + x) * 3);
+      const out = Math.sqrt(127 * 127 - stored[0] ** 2 - stored[1] ** 2);
+      data.set([128 + stored[0], 128 + stored[1], Math.round(128 + out)], (y * width + x) * 3);
     }
   }
   return { width, height, channels: 3, data };

@@ -10,7 +10,8 @@ export function temperatureOf(bv) {
   return 4600 * (1 / (x + 1.7) + 1 / (x + 0.62));
 }
 
-const lobe = (nm, height, center, below, above) => height * Math.exp(-0.5 * ((nm - center) * (nm < center ? below : above)) ** 2);
+const lobe =
+  (nm, height, center, below, above) => height * Math.exp(-0.5 * ((nm - center) * (nm < center ? below : above)) ** 2);
 const observer = (nm) => [
   lobe(nm, 0.362, 442, 0.0624, 0.0374) + lobe(nm, 1.056, 599.8, 0.0264, 0.0323) - lobe(nm, 0.065, 501.1, 0.049, 0.0382),
   lobe(nm, 0.821, 568.8, 0.0213, 0.0247) + lobe(nm, 0.286, 530.9, 0.0613, 0.0322),

@@ -78,7 +78,8 @@ export function makeSun() {
   }
   const data = new Uint8Array(width * height * 3);
   for (let i = 0; i < levels.length; ++i) {
-    // Colour is a function of the grey level alone, so that the file needs no more than a palette; cooler gas is redder.
+    // Colour is a function of the grey level alone, so that the file needs no more than a palette; cooler gas is
+    // redder.
     const level = Math.round(levels[i] * 160) / 160;
     data[3 * i] = Math.round(255 * clamp(Math.pow(level, 0.75)));
     data[3 * i + 1] = Math.round(255 * level);
