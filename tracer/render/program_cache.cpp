@@ -1,6 +1,9 @@
 #include "tracer/render/program_cache.h"
 
 #include "tracer/clock.h"
+#include "tracer/software/tuning.h"
+
+#include <utility>
 
 namespace gnomon {
 namespace {
@@ -28,16 +31,35 @@ void bindInterface(const CachedProgram& entry) {
 
 } // namespace
 
-GlslTarget targetOf(const gl::Info& info) {
-    return {info.maxUniformBlockSize / int(sizeof(glm::vec4)), info.essl300, gl::drawnByProcessor(info.renderer),
-            gl::drawnBySwiftShader(info.renderer), int(info.maxPointSize)};
+CodegenTarget targetOf(const gl::Info& info) {
+    const Rasteriser rasteriser = gl::drawnBySwiftShader(info.renderer) ? Rasteriser::SwiftShader
+                                  : gl::drawnByProcessor(info.renderer) ? Rasteriser::Llvmpipe
+                                                                        : Rasteriser::Gpu;
+    CodegenTarget target;
+    target.es300 = info.essl300;
+    target.blockTexels = info.maxUniformBlockSize / int(sizeof(glm::vec4));
+    return tunedFor(rasteriser, int(info.maxPointSize), target);
 }
 
-std::shared_ptr<CachedProgram> ProgramCache::get(const Features& features, Problems& problems, std::string_view pass) {
+void ProgramCache::setOverrides(std::span<const ShaderFile> overrides) {
+    overrides_.assign(overrides.begin(), overrides.end());
+    planned_.clear(); // they come to other sources now
+}
+
+std::shared_ptr<CachedProgram> ProgramCache::get(const Plan& plan, Problems& problems, std::string_view pass) {
+    Plan key = sourceKeyOf(plan);
+    for (const Planned& known : planned_)
+        if (known.pass == pass && known.key == key) return known.program;
+    auto program = build(plan, pass, problems);
+    if (program) planned_.push_back({std::move(key), std::string(pass), program});
+    return program;
+}
+
+std::shared_ptr<CachedProgram> ProgramCache::build(const Plan& plan, std::string_view pass, Problems& problems) {
     const double start = monotonicSeconds();
     Problems faults;
-    ShaderSource source = buildShader(pass, features, faults, overrides_);
-    const ShaderSource canvas = buildCanvas(features, faults);
+    ShaderSource source = buildShader(pass, plan, faults, overrides_);
+    const ShaderSource canvas = buildCanvas(plan, faults);
     if (!faults.empty()) {
         problems.insert(problems.end(), faults.begin(), faults.end());
         return nullptr;
@@ -76,6 +98,7 @@ void ProgramCache::forget() {
         entry->drawn.forget();
     }
     programs_.clear();
+    planned_.clear();
 }
 
 } // namespace gnomon

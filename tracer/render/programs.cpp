@@ -56,29 +56,25 @@ void drawTiles(const CachedProgram& program, int tile, const gl::Target& target,
 
 } // namespace
 
-Programs::Programs(const Features& features, ProgramCache& cache, Problems& problems)
-    : features_(features), full_(cache.get(features, problems)) {
-    if (!canDraw() || !features.parted || !beginParts(cache, problems)) return;
+Programs::Programs(const Plan& plan, ProgramCache& cache, Problems& problems)
+    : plan_(plan), full_(cache.get(plan, problems)) {
+    if (!canDraw() || !plan.split.on || !beginParts(cache, problems)) return;
     const auto ready = [](const auto& part) { return !part || part->state == ProgramState::Ready; };
     parted_ = ready(sky_) && ready(base_);
 }
 
-bool Programs::fallsBack() const { return features_.parted && anyUncommon(features_); }
+bool Programs::fallsBack() const { return plan_.split.anyUncommon(); }
 
 bool Programs::beginParts(ProgramCache& cache, Problems& problems) {
-    if (!sky_) {
-        Features sky = features_;
-        sky.tile = 0;
-        sky_ = cache.get(sky, problems, "pass/sky.frag");
-    }
-    if (!base_ && fallsBack()) base_ = cache.get(baseOf(features_), problems);
+    if (!sky_) sky_ = cache.get(skyOf(plan_), problems, "pass/sky.frag");
+    if (!base_ && fallsBack()) base_ = cache.get(baseOf(plan_), problems);
     return sky_ && (base_ || !fallsBack());
 }
 
 ProgramState Programs::poll(ProgramCache& cache, const WarmUp& warmUp, Problems& problems) {
     const ProgramState state = cache.poll(
         *full_, [&] { warmUp(*full_); }, problems);
-    if (state != ProgramState::Ready || !features_.parted) return state;
+    if (state != ProgramState::Ready || !plan_.split.on) return state;
     return pollParts(cache, warmUp, problems);
 }
 
@@ -107,7 +103,7 @@ ProgramStats Programs::stats() const {
 }
 
 bool Programs::marksCoverage(const CachedProgram& program) const {
-    return fallsBack() && (&program != full_.get() || features_.tile == 0);
+    return fallsBack() && (&program != full_.get() || plan_.split.tile == 0);
 }
 
 void Programs::draw(const gl::Target& target, const ScreenPartition& partition, const Rectangle& band) const {
@@ -116,9 +112,9 @@ void Programs::draw(const gl::Target& target, const ScreenPartition& partition, 
     if (fallsBack()) beginCoverage(target, band);
     drawIn(*sky_, partition.sky, band);
     if (base_) drawIn(*base_, partition.base, band);
-    if (features_.tile > 0) {
+    if (plan_.split.tile > 0) {
         endCoverage(target);
-        drawTiles(*full_, features_.tile, target, band);
+        drawTiles(*full_, plan_.split.tile, target, band);
     } else {
         drawIn(*full_, partition.base, band); // what is left of them
         drawIn(*full_, partition.uncommon, band);

@@ -16,12 +16,12 @@ class Programs {
 
     Programs() = default;
     /// Begins to build the whole one, where it is new; its parts follow when it is ready.
-    Programs(const Features&, ProgramCache&, Problems&);
+    Programs(const Plan&, ProgramCache&, Problems&);
 
     /// There is something to draw with, soon or now.
     explicit operator bool() const { return full_ != nullptr; }
     const CachedProgram& full() const { return *full_; }
-    const Features& features() const { return features_; }
+    const Plan& plan() const { return plan_; }
     bool canDraw() const { return full_ && full_->state == ProgramState::Ready; }
     /// Smaller programs draw, too.
     bool parted() const { return parted_; }
@@ -43,7 +43,7 @@ class Programs {
     bool beginParts(ProgramCache&, Problems&);
     ProgramState pollParts(ProgramCache&, const WarmUp&, Problems&);
 
-    Features features_;
+    Plan plan_;
     std::shared_ptr<CachedProgram> full_, sky_, base_;
     bool parted_ = false;
 };

@@ -3,7 +3,9 @@
 #include "tracer/clock.h"
 #include "tracer/gl/objects.h"
 #include "tracer/render/programs.h"
+#include "tracer/plan/scene_offsets.h"
 #include "tracer/plan/scene_packer.h"
+#include "tracer/software/uncommon_features.h"
 
 #include <algorithm>
 #include <chrono>
@@ -52,14 +54,6 @@ Image flat(std::uint8_t r, std::uint8_t g, std::uint8_t b) { return {1, 1, {r, g
 /// Of the finest levels of all images of a purpose; docs/scenes.md tells it.
 constexpr std::size_t kMostImageBytes = std::size_t(1) << 29;
 
-std::vector<std::string> facesOf(const Scene& scene) {
-    std::vector<std::string> faces;
-    if (scene.background.cubemap.empty()) return faces;
-    for (const char* side : {"-px", "-nx", "-py", "-ny", "-pz", "-nz"})
-        faces.push_back(scene.background.cubemap + side);
-    return faces;
-}
-
 /// Samples of a light that one draw takes where its picture is read back: llvmpipe ends all loops of a pixel after
 /// 65 536 turns in all, and other drivers take a long draw for one that hangs.
 int batchOf(const Settings& settings) { return shadowRow(settings.shadows).batch; }
@@ -97,11 +91,8 @@ View scaled(View view, double scale) {
 /// A scene with its images on the GPU. Scenes that follow one another do not share textures: the old one draws on until
 /// the new one's program is ready.
 struct LoadedScene {
-    Scene scene;
-    glm::dvec3 origin{0}; ///< originOf(scene)
+    PreparedScenePtr prepared;
     ScenePacker packer;
-    TextureSet textureSet;
-    std::vector<std::string> faces;
     gl::Texture paints, normals, sky;
     bool stale = true; ///< images have come that the textures do not have
 };
@@ -159,12 +150,12 @@ struct Renderer::Impl {
     gl::Texture upload(const LoadedScene& loaded, std::vector<Image> images, bool color,
                        std::vector<glm::vec2>& tiles) {
         if (images.empty()) return {};
-        const gl::Texels texels = coding(loaded.scene, color);
+        const gl::Texels texels = coding(loaded.prepared->scene, color);
         const Layers layers(std::move(images), texels == gl::Texels::Srgb, info.maxTextureSize, kMostImageBytes);
         for (int i = 0; i < layers.count(); ++i) tiles.push_back(layers.tile(i));
         if (layers.reduced())
             pending.push_back(
-                {loaded.scene.file,
+                {loaded.prepared->scene.file,
                  0,
                  {},
                  "the images take more than 512 MB, or are larger than this GL takes them: the largest are "
@@ -176,10 +167,10 @@ struct Renderer::Impl {
     void uploadImages(LoadedScene& loaded) {
         const Image none, grey = flat(128, 128, 128), level = flat(128, 128, 255), dry = flat(0, 0, 0);
         std::vector<Image> paints, normals;
-        for (const Paint& paint : loaded.textureSet.paints)
+        for (const Paint& paint : loaded.prepared->textureSet.paints)
             paints.push_back(painted(paint.color.empty() ? none : pictureOr(grey, paint.color),
                                      paint.mask.empty() ? none : pictureOr(dry, paint.mask)));
-        for (const std::string& name : loaded.textureSet.normals) normals.push_back(pictureOr(level, name));
+        for (const std::string& name : loaded.prepared->textureSet.normals) normals.push_back(pictureOr(level, name));
         Tiles tiles;
         loaded.paints = upload(loaded, std::move(paints), true, tiles.paints);
         loaded.normals = upload(loaded, std::move(normals), false, tiles.normals);
@@ -189,40 +180,40 @@ struct Renderer::Impl {
 
     void uploadSky(LoadedScene& loaded) {
         std::vector<Image> faces;
-        for (const std::string& name : loaded.faces)
+        for (const std::string& name : loaded.prepared->skyFaces)
             if (const auto found = pictures.find(name); found != pictures.end()) faces.push_back(found->second);
         const bool complete = faces.size() == 6 && std::all_of(faces.begin(), faces.end(), [&](const Image& face) {
                                   return face.width == face.height && face.width == faces[0].width;
                               });
         if (!complete) faces.assign(6, flat(8, 10, 18)); // night, until all six faces are there
-        loaded.sky = gl::makeCubemap(faces, coding(loaded.scene, true));
+        loaded.sky = gl::makeCubemap(faces, coding(loaded.prepared->scene, true));
     }
 
     void uploadAll(LoadedScene& loaded) {
         loaded.stale = true;
-        if (!loaded.faces.empty()) uploadSky(loaded);
+        if (!loaded.prepared->skyFaces.empty()) uploadSky(loaded);
     }
 
     void imageArrived(LoadedScene& loaded, const std::string& name) {
-        loaded.stale |= loaded.textureSet.shows(name);
-        const auto begin = loaded.faces.begin(), end = loaded.faces.end();
+        loaded.stale |= loaded.prepared->textureSet.shows(name);
+        const auto begin = loaded.prepared->skyFaces.begin(), end = loaded.prepared->skyFaces.end();
         const bool last = std::all_of(begin, end, [&](const auto& face) { return pictures.contains(face); });
         if (last && std::find(begin, end, name) != end) uploadSky(loaded);
     }
 
     // --- limits -----------------------------------------------------------------------------------------------------
 
-    bool fits(const Scene& scene, Problems& problems) const {
+    bool fits(const PreparedScene& prepared, Problems& problems) const {
         const std::size_t before = problems.size();
         const auto refuse = [&](const std::string& what, const std::string& remedy) {
-            problems.push_back({scene.file, 0, {}, what, remedy});
+            problems.push_back({prepared.scene.file, 0, {}, what, remedy});
         };
-        const int texels = sceneTexels(featuresOf(scene, settings, targetOf(info)));
+        const int texels = sceneTexels(planOf(prepared, settings, targetOf(info)).scene);
         const long most = long(kDataWidth) * info.maxTextureSize;
         if (texels > most)
             refuse("the scene takes " + std::to_string(texels) + " texels, this GL holds " + std::to_string(most),
                    "use fewer objects");
-        const TextureSet textureSet = textureSetOf(scene);
+        const TextureSet& textureSet = prepared.textureSet;
         const int layers = int(std::max(textureSet.paints.size(), textureSet.normals.size()));
         const int mostLayers = std::min(kMostLayers, info.maxLayers);
         if (layers > mostLayers)
@@ -235,22 +226,22 @@ struct Renderer::Impl {
 
     void choose() {
         if (!wantedScene) return;
-        Features features = featuresOf(wantedScene->scene, settings, targetOf(info));
+        Plan plan = splitPlanOf(*wantedScene->prepared, settings, targetOf(info));
         if (programs.overridden()) { // these are of the library's own files
-            features.parted = features.cachedLoads = false;
-            features.tile = 0;
+            plan.split = {};
+            plan.target.cachedLoads = false;
         }
-        if (const int texels = sceneTexels(features); features.dataBlock && texels > targetOf(info).blockTexels) {
-            features.dataBlock = false;
-            pending.push_back({wantedScene->scene.file,
+        if (const int texels = sceneTexels(plan.scene); plan.scene.dataBlock && texels > plan.target.blockTexels) {
+            plan.scene.dataBlock = false;
+            pending.push_back({wantedScene->prepared->scene.file,
                                0,
                                {},
                                "the scene takes " + std::to_string(texels) +
                                    " texels, a uniform block of this GL holds " +
-                                   std::to_string(targetOf(info).blockTexels) + ": its numbers go into a texture",
+                                   std::to_string(plan.target.blockTexels) + ": its numbers go into a texture",
                                {}});
         }
-        wanted = Programs(features, programs, pending);
+        wanted = Programs(plan, programs, pending);
         adopted = false;
         adopt();
     }
@@ -273,7 +264,7 @@ struct Renderer::Impl {
     }
 
     void warmUp(const CachedProgram& program) {
-        const View view{wantedScene->scene.camera, 0, 1, 1};
+        const View view{wantedScene->prepared->scene.camera, 0, 1, 1};
         upload(view, wanted, *wantedScene, settings, true);
         glBindFramebuffer(GL_FRAMEBUFFER, warm.framebuffer.get());
         glViewport(0, 0, 1, 1);
@@ -282,9 +273,9 @@ struct Renderer::Impl {
 
     // --- drawing ----------------------------------------------------------------------------------------------------
 
-    void uploadScene(const Features& features, LoadedScene& loaded, const View& view) {
-        const auto texels = loaded.packer.pack(features, view.time, view.camera.eye);
-        if (features.dataBlock) {
+    void uploadScene(const Plan& plan, LoadedScene& loaded, const View& view) {
+        const auto texels = loaded.packer.pack(plan, view.time, view.camera.eye);
+        if (plan.scene.dataBlock) {
             glBindBuffer(GL_UNIFORM_BUFFER, sceneBuffer.get());
             glBufferData(GL_UNIFORM_BUFFER, GLsizeiptr(texels.size() * sizeof(glm::vec4)), texels.data(),
                          GL_DYNAMIC_DRAW);
@@ -318,13 +309,13 @@ struct Renderer::Impl {
 
     /// All that programs read.
     void upload(const View& view, const Programs& with, LoadedScene& loaded, const Settings& choices, bool encode) {
-        const FrameBlock block = frameBlock(view, loaded.scene, loaded.origin, choices, encode);
+        const FrameBlock block = frameBlock(view, loaded.prepared->scene, loaded.prepared->origin, choices, encode);
         glBindVertexArray(vertexArray.get());
         glBindBuffer(GL_UNIFORM_BUFFER, frameBuffer.get());
         glBufferData(GL_UNIFORM_BUFFER, sizeof block, &block, GL_DYNAMIC_DRAW);
         glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, frameBuffer.get());
         if (loaded.stale) uploadImages(loaded); // before their tiles are packed
-        uploadScene(with.features(), loaded, view);
+        uploadScene(with.plan(), loaded, view);
         bindImages(loaded);
     }
 
@@ -332,8 +323,9 @@ struct Renderer::Impl {
     ScreenPartition partition(const View& view) const {
         if (!drawn.parted()) return {};
         CameraFrame camera = frameOf(view.camera);
-        camera.eye = glm::dvec3(glm::vec3(camera.eye - drawnScene->origin)); // as the shader gets it
-        return partitionOf(drawnScene->packer.screenBounds(drawn.features()), camera, view.width, view.height);
+        camera.eye = glm::dvec3(glm::vec3(camera.eye - drawnScene->prepared->origin)); // as the shader gets it
+        const auto bounds = screenBoundsOf(*drawnScene->prepared, drawn.plan(), drawnScene->packer.shapes());
+        return partitionOf(bounds, camera, view.width, view.height);
     }
 
     /// Rows of the picture as the settings have it, or others of which only numbers differ.
@@ -446,10 +438,9 @@ Renderer::Renderer(std::span<const ShaderFile> overrides) : impl_(std::make_uniq
 Renderer::~Renderer() = default;
 
 bool Renderer::setScene(const Scene& scene, Problems& problems) {
-    if (!impl_->fits(scene, problems)) return false;
-    const glm::dvec3 origin = originOf(scene);
-    auto loaded = std::make_shared<LoadedScene>(
-        LoadedScene{scene, origin, ScenePacker(scene, origin), textureSetOf(scene), facesOf(scene)});
+    const PreparedScenePtr prepared = prepare(scene);
+    if (!impl_->fits(*prepared, problems)) return false;
+    auto loaded = std::make_shared<LoadedScene>(LoadedScene{prepared, ScenePacker(prepared)});
     impl_->uploadAll(*loaded);
     impl_->wantedScene = std::move(loaded);
     impl_->choose();
@@ -464,9 +455,10 @@ void Renderer::setImage(const std::string& name, const Image& image) {
 }
 
 void Renderer::configure(const Settings& settings) {
+    const bool alike = planAlike(impl_->settings, settings);
     impl_->settings = settings;
     ++impl_->version;
-    impl_->choose();
+    if (!alike || !impl_->wanted) impl_->choose();
     // What is only a number acts at once, also while a new program compiles.
     if (impl_->drawn) impl_->drawnSettings = settings;
 }
@@ -528,7 +520,7 @@ FloatImage Renderer::readOutput(const View& view, Problems& problems) {
 
 Image Renderer::readPicture(const View& view, Problems& problems) {
     if (impl_->drawn && inBatches(impl_->drawnSettings) && impl_->info.floatTargets)
-        return pictureOf(impl_->readInBatches(view, problems), impl_->drawn.features().linear);
+        return pictureOf(impl_->readInBatches(view, problems), impl_->drawn.plan().scene.linear);
     if (!impl_->drawOutput(view, GL_RGBA8, true, impl_->drawnSettings, problems)) return {};
     const std::size_t row = std::size_t(view.width) * 4;
     std::vector<std::uint8_t> rgba(row * view.height);
