@@ -72,12 +72,13 @@ std::unique_ptr<Batch> Batch::make(const BatchPass& pass, const Scene& scene, Pr
     const gl::Info info = gl::info();
     Settings settings = pass.settings;
     settings.data = DataPath::Block;
-    Features features = featuresOf(scene, settings, {.es300 = info.essl300});
-    features.distances |= pass.distances;
+    const PreparedScenePtr prepared = prepare(scene);
+    Plan plan = planOf(*prepared, settings, {.es300 = info.essl300});
+    plan.scene.distances |= pass.distances;
     Problems faults;
-    const ShaderSource source = buildShader(pass.file, features, faults, overrides);
+    const ShaderSource source = buildShader(pass.file, plan, faults, overrides);
     auto impl = std::make_unique<Impl>();
-    impl->program = gl::Program(buildCanvas(features, faults).text, source.text);
+    impl->program = gl::Program(buildCanvas(plan, faults).text, source.text);
     if (!impl->program.linked()) {
         const Problems mapped = mapLog(impl->program.fragmentLog() + impl->program.linkLog(), source);
         faults.insert(faults.end(), mapped.begin(), mapped.end());
@@ -86,7 +87,7 @@ std::unique_ptr<Batch> Batch::make(const BatchPass& pass, const Scene& scene, Pr
     }
     problems.insert(problems.end(), faults.begin(), faults.end());
     if (!faults.empty()) return nullptr;
-    impl->fillBlocks(pass, packScene(scene, features, 0));
+    impl->fillBlocks(pass, packScene(prepared, plan, 0));
     return std::unique_ptr<Batch>(new Batch(std::move(impl)));
 }
 

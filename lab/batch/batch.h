@@ -19,7 +19,7 @@ struct BatchPass {
     const char* file = "";           ///< its entry point, as `pass/intersect.frag`
     std::vector<const char*> inputs; ///< samplers
     int outputs = 1;
-    bool distances = false; ///< Features::distances, whatever the settings say
+    bool distances = false; ///< SceneFeatures::distances, whatever the settings say
     Settings settings{};    ///< what the pass is built for, and the numbers of its shadow model
 };
 

@@ -3,7 +3,8 @@
 #include "lab/reference/textbook/textbook.h"
 #include "lab/reference/textbook/source_scene.h"
 #include "tracer/clock.h"
-#include "tracer/shader/program_cache.h"
+#include "tracer/plan/scene_offsets.h"
+#include "tracer/software/tuning.h"
 #include "tracer/plan/scene_packer.h"
 
 #include <algorithm>
@@ -70,7 +71,7 @@ std::string latticeText(glm::ivec3 cells) {
 }
 
 /// Kinds that are asked one by one go without saying.
-std::string searchOf(const Features& features) {
+std::string searchOf(const SceneFeatures& features) {
     constexpr std::array names{"loop", "sieve", "hierarchy", "cells"}; // as Search
     std::string text;
     for (const KindCount& kind : features.shapes) {
@@ -126,12 +127,12 @@ Settings TraceLab::settingsFor(const TraceWay& way) const {
     return settings;
 }
 
-Features TraceLab::featuresFor(const Scene& scene, const TraceWay& way) const {
-    return featuresOf(scene, settingsFor(way), targetOf(info_));
+Plan TraceLab::planFor(const PreparedScene& scene, const TraceWay& way) const {
+    return planOf(scene, settingsFor(way), targetOf(info_));
 }
 
 bool TraceLab::fits(const Scene& scene, const TraceWay& way) const {
-    return way.data == DataPath::Texture || sceneTexels(featuresFor(scene, way)) <= targetOf(info_).blockTexels;
+    return way.data == DataPath::Texture || sceneTexels(planFor(*gnomon::prepare(scene), way).scene) <= targetOf(info_).blockTexels;
 }
 
 std::size_t TraceLab::stepsOf(const Scene& scene) const {
@@ -149,7 +150,7 @@ std::optional<TraceLab::Prepared> TraceLab::prepare(const Scene& scene, const Na
     if (!problems.empty()) return std::nullopt;
     const auto works = way.source ? std::nullopt : benchmarkCase->count(views, problems);
     if (!problems.empty()) return std::nullopt;
-    TraceCost cost{way, {}, {}, benchmarkCase->program(), searchOf(featuresFor(scene, way)), {}};
+    TraceCost cost{way, {}, {}, benchmarkCase->program(), searchOf(planFor(*gnomon::prepare(scene), way).scene), {}};
     std::vector<TraceCost> costs(views.size(), cost);
     for (std::size_t i = 0; works && i < costs.size(); ++i) costs[i].work = (*works)[i];
     for (std::size_t i = 0; pictures_ && i < costs.size(); ++i) {
@@ -202,8 +203,8 @@ std::vector<GrowthCosts> TraceLab::measure(Arrangement arrangement, const std::v
         for (const TraceWay& way : waysFor(number)) {
             auto prepared = prepare(scene, {}, way, {&view, 1}, problems);
             if (!prepared) return {};
-            const Features features = featuresFor(scene, way);
-            growth.back().ways.push_back({prepared->costs[0], packMs(scene, features), loadMs(scene, way)});
+            growth.back().ways.push_back(
+                {prepared->costs[0], packMs(gnomon::prepare(scene), way), loadMs(scene, way)});
             entrants.push_back({prepared->benchmarkCase.get(), view});
             all.push_back(std::move(*prepared));
             if (!progress.step()) return {};
@@ -217,17 +218,19 @@ std::vector<GrowthCosts> TraceLab::measure(Arrangement arrangement, const std::v
     return growth;
 }
 
-double TraceLab::packMs(const Scene& scene, const Features& features) const {
-    ScenePacker packer(scene, originOf(scene));
+double TraceLab::packMs(const PreparedScenePtr& prepared, const TraceWay& way) const {
+    const Plan plan = planFor(*prepared, way);
+    const glm::dvec3 eye = prepared->scene.camera.eye;
+    ScenePacker packer(prepared);
     double time = 0;
-    packer.pack(features, time, scene.camera.eye);
-    return millisecondsOf(rounds_, [&] { packer.pack(features, time += kFrameSeconds, scene.camera.eye); });
+    packer.pack(plan, time, eye);
+    return millisecondsOf(rounds_, [&] { packer.pack(plan, time += kFrameSeconds, eye); });
 }
 
 double TraceLab::loadMs(const Scene& scene, const TraceWay& way) const {
     return millisecondsOf(rounds_, [&] {
-        const Features features = featuresFor(scene, way);
-        ScenePacker(scene, originOf(scene)).pack(features, 0, scene.camera.eye);
+        const PreparedScenePtr prepared = gnomon::prepare(scene);
+        ScenePacker(prepared).pack(planFor(*prepared, way), 0, scene.camera.eye);
     });
 }
 

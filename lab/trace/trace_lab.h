@@ -5,7 +5,7 @@
 #include "lab/trace/sphere_scenes.h"
 #include "tracer/gl/gl.h"
 #include "tracer/settings/settings.h"
-#include "tracer/plan/features.h"
+#include "tracer/plan/plan.h"
 
 #include <memory>
 #include <optional>
@@ -86,9 +86,9 @@ class TraceLab {
     std::optional<Prepared> prepare(const Scene&, const NamedImages&, const TraceWay&, std::span<const View>,
                                     Problems&) const;
     Settings settingsFor(const TraceWay&) const;
-    Features featuresFor(const Scene&, const TraceWay&) const;
+    Plan planFor(const PreparedScene&, const TraceWay&) const;
     bool fits(const Scene&, const TraceWay&) const;
-    double packMs(const Scene&, const Features&) const;
+    double packMs(const PreparedScenePtr&, const TraceWay&) const;
     double loadMs(const Scene&, const TraceWay&) const;
 
     gl::Info info_ = gl::info();

@@ -2,7 +2,7 @@
 #include "native/command/commands.h"
 #include "native/context/context.h"
 #include "tracer/render/renderer.h"
-#include "tracer/plan/features.h"
+#include "tracer/software/tuning.h"
 #include "tracer/software/uncommon_features.h"
 #include "tracer/shader/shader_builder.h"
 
@@ -51,10 +51,10 @@ void checkChoice(const char* option, const std::string& value, const std::vector
     problems.push_back(wrongOption(option, "'" + value + "' is none of " + all, {}));
 }
 
-ShaderSource sourceOf(const std::string& pass, const Features& features, Problems& problems) {
-    if (pass == "canvas") return buildCanvas(features, problems);
-    if (pass == "sky") return buildShader("pass/sky.frag", features, problems);
-    return buildShader("pass/trace.frag", pass == "usual" ? baseOf(features) : features, problems);
+ShaderSource sourceOf(const std::string& pass, const Plan& plan, Problems& problems) {
+    if (pass == "canvas") return buildCanvas(plan, problems);
+    if (pass == "sky") return buildShader("pass/sky.frag", skyOf(plan), problems);
+    return buildShader("pass/trace.frag", pass == "usual" ? baseOf(plan) : plan, problems);
 }
 
 int shader(const ShaderOptions& options) {
@@ -67,11 +67,12 @@ int shader(const ShaderOptions& options) {
     const auto scene = assets ? assets->readScene(options.drawing.scene, problems) : std::nullopt;
     if (!scene) return fail(kInputWrong, problems);
 
-    const GlslTarget target{.es300 = options.glsl == "es300",
-                            .processor = options.processor || options.swiftShader,
-                            .swiftShader = options.swiftShader};
-    const Features features = featuresOf(*scene, *settings, target);
-    const ShaderSource source = sourceOf(options.pass, features, problems);
+    const Rasteriser rasteriser = options.swiftShader ? Rasteriser::SwiftShader
+                                  : options.processor ? Rasteriser::Llvmpipe
+                                                      : Rasteriser::Gpu;
+    const CodegenTarget target = tunedFor(rasteriser, 64, {.es300 = options.glsl == "es300"});
+    const Plan plan = splitPlanOf(*prepare(*scene), *settings, target);
+    const ShaderSource source = sourceOf(options.pass, plan, problems);
     if (!problems.empty()) return fail(kInputWrong, problems);
     if (options.stats) return printStats(source, *scene, *settings);
     std::fwrite(source.text.data(), 1, source.text.size(), stdout);

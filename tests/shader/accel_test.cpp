@@ -8,7 +8,8 @@
 #include "tests/support/clouds.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
-#include "tracer/plan/features.h"
+#include "tracer/software/tuning.h"
+#include "tracer/plan/plan.h"
 
 #include <gtest/gtest.h>
 
@@ -46,7 +47,7 @@ void aim(Drawing& drawing, const Shot& shot) {
 }
 
 bool searches(const Scene& scene, Accel accel) {
-    for (const KindCount& kind : featuresOf(scene, sized(accel, Aov::Color, 1), {}).shapes)
+    for (const KindCount& kind : planOf(*prepare(scene), sized(accel, Aov::Color, 1), {}).scene.shapes)
         if (kind.search != Search::Loop || kind.latticeMembers() > 0) return true;
     return false;
 }
@@ -152,7 +153,7 @@ std::vector<Shot> shotsOfLattice() {
 
 int latticeOf(const Scene& scene) {
     int members = 0;
-    for (const KindCount& kind : featuresOf(scene, {}, {}).shapes) members += kind.latticeMembers();
+    for (const KindCount& kind : planOf(*prepare(scene), {}, {}).scene.shapes) members += kind.latticeMembers();
     return members;
 }
 
@@ -259,10 +260,8 @@ TEST(Hierarchies, LeaveAMixedCloudAsItIs) {
 // ---- Grids, for what lies evenly scattered
 
 bool hasCells(const Scene& scene) {
-    GlslTarget processor;
-    processor.processor = true;
-    const Features features = featuresOf(scene, sized(Accel::Auto, Aov::Color, 1), processor);
-    return features.shapes[0].search == Search::Grid;
+    const Settings settings = sized(Accel::Auto, Aov::Color, 1);
+    return planOf(*prepare(scene), settings, tunedFor(Rasteriser::Llvmpipe)).scene.shapes[0].search == Search::Grid;
 }
 
 TEST(Cells, LeaveACloudThatMovesAsItIs) {

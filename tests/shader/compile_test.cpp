@@ -5,6 +5,7 @@
 #include "tests/support/scenes.h"
 #include "tracer/gl/objects.h"
 #include "tracer/shader/library.h"
+#include "tracer/software/tuning.h"
 #include "tracer/software/uncommon_features.h"
 #include "tracer/shader/shader_builder.h"
 
@@ -23,22 +24,23 @@ using namespace test;
 
 struct Variant {
     std::string name;
-    Features features;
+    Plan plan;
     std::string_view pass = "pass/trace.frag";
 };
 
 /// The combinations of settings that change the source.
 std::vector<Variant> variants(const std::string& sceneName) {
-    const Scene scene = sceneNamed(sceneName);
+    const PreparedScenePtr scene = prepare(sceneNamed(sceneName));
     std::vector<Variant> all;
     for (bool es300 : {true, false})
         for (DataPath data : {DataPath::Block, DataPath::Texture}) {
             Settings settings;
             settings.data = data;
+            const auto rasteriser = data == DataPath::Texture ? Rasteriser::Llvmpipe : Rasteriser::Gpu;
             const auto add = [&](const std::string& what) {
                 all.push_back({sceneName + (es300 ? " es300 " : " gl330 ") +
                                    (data == DataPath::Block ? "block " : "texture ") + what,
-                               featuresOf(scene, settings, {1024, es300, data == DataPath::Texture})});
+                               planOf(*scene, settings, tunedFor(rasteriser, 64, {.es300 = es300}))});
             };
             for (Aov aov : {Aov::Color, Aov::Distance, Aov::Position, Aov::Normal, Aov::Object, Aov::Visibility,
                             Aov::Work, Aov::Steps}) {
@@ -66,21 +68,21 @@ std::vector<Variant> variants(const std::string& sceneName) {
             settings.glow = settings.normalMaps = false;
             add("no glow, no normal maps");
             add("distances");
-            all.back().features.distances = true;
+            all.back().plan.scene.distances = true;
             all.back().pass = "pass/distance.frag";
         }
     for (const bool es300 : {true, false}) {
-        const Features features = featuresOf(scene, {}, {.es300 = es300, .processor = true, .swiftShader = true});
-        all.push_back({sceneName + " for SwiftShader", features});
-        all.push_back({sceneName + " for SwiftShader, usual", baseOf(features)});
-        all.push_back({sceneName + " for SwiftShader, sky", features, "pass/sky.frag"});
+        const Plan plan = splitPlanOf(*scene, {}, tunedFor(Rasteriser::SwiftShader, 64, {.es300 = es300}));
+        all.push_back({sceneName + " for SwiftShader", plan});
+        all.push_back({sceneName + " for SwiftShader, base", baseOf(plan)});
+        all.push_back({sceneName + " for SwiftShader, sky", skyOf(plan), "pass/sky.frag"});
     }
     return all;
 }
 
 ShaderSource sourceOf(const Variant& variant) {
     Problems problems;
-    ShaderSource source = buildShader(variant.pass, variant.features, problems);
+    ShaderSource source = buildShader(variant.pass, variant.plan, problems);
     EXPECT_EQ(toString(problems), "");
     return source;
 }
@@ -110,10 +112,10 @@ void compilesIn(ContextKind kind, const std::vector<Variant>& all) {
     const bool es300 = gl::info().essl300, es = gl::info().es;
     EXPECT_TRUE(es300);
     for (const Variant& variant : all) {
-        if (es && !variant.features.es300) continue; // a GLES driver takes GLES text only
+        if (es && !variant.plan.target.es300) continue; // a GLES driver takes GLES text only
         Problems problems;
         const ShaderSource source = sourceOf(variant);
-        const gl::Program program(buildCanvas(variant.features, problems).text, source.text);
+        const gl::Program program(buildCanvas(variant.plan, problems).text, source.text);
         EXPECT_TRUE(program.linked()) << variant.name << '\n'
                                       << toString(mapLog(program.fragmentLog(), source)) << program.linkLog();
     }
@@ -133,7 +135,7 @@ void namesThePlaceOfAFault(ContextKind kind) {
     ASSERT_NE(at, std::string::npos);
     source.text.replace(at, right.size(), "return Sphere(a.xyz, nonsense);");
     Problems problems;
-    const gl::Program program(buildCanvas(variants("lite")[0].features, problems).text, source.text);
+    const gl::Program program(buildCanvas(variants("lite")[0].plan, problems).text, source.text);
     ASSERT_FALSE(program.linked());
     const Problems mapped = mapLog(program.fragmentLog(), source);
     ASSERT_FALSE(mapped.empty());

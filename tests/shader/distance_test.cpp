@@ -10,7 +10,7 @@
 #include "lab/intersect/subjects.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
-#include "tracer/plan/layout.h"
+#include "tracer/plan/prepared_scene.h"
 #include "lab/batch/distance_batch.h"
 
 #include <gtest/gtest.h>
@@ -398,7 +398,8 @@ TEST(SceneDistance, IsThatOfTheNearestObjectOfEveryKind) {
         if (shapes[i].kind == ShapeKind::Plane) scene.objects[i].shape = translated(shapes[i], {0, 0, -9});
     }
     std::vector<int> order;
-    for (const KindLayout& kind : layoutOf(scene)) order.insert(order.end(), kind.objects.begin(), kind.objects.end());
+    const PreparedScenePtr prepared = prepare(scene);
+    for (const KindLayout& kind : prepared->layout) order.insert(order.end(), kind.objects.begin(), kind.objects.end());
     ASSERT_EQ(order.size(), shapes.size());
     const std::vector<SceneBody> bodies = bodiesOf(scene, 0);
     Problems problems;

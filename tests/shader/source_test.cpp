@@ -137,9 +137,9 @@ TEST(SourceShaders, Compile) {
                 for (const Aov aov : {Aov::Color, Aov::Object, Aov::Visibility}) {
                     settings.shadows = shadows;
                     settings.aov = aov;
-                    const Features features = featuresOf(sourceScene(sceneNamed(scene)), settings, {1024, es300});
-                    const ShaderSource source = buildShader("pass/trace.frag", features, problems, sourceShaders());
-                    const gl::Program program(buildCanvas(features, problems).text, source.text);
+                    const Plan plan = planOf(*prepare(sourceScene(sceneNamed(scene))), settings, {.es300 = es300});
+                    const ShaderSource source = buildShader("pass/trace.frag", plan, problems, sourceShaders());
+                    const gl::Program program(buildCanvas(plan, problems).text, source.text);
                     EXPECT_TRUE(program.linked()) << scene << '\n' << toString(mapLog(program.fragmentLog(), source));
                 }
     EXPECT_EQ(toString(problems), "");
@@ -165,7 +165,7 @@ TEST(SourceShaders, AskEveryObject) {
     const Settings settings;
     Problems problems;
     const auto textOf = [&](const Scene& scene, std::span<const ShaderFile> overrides) {
-        return buildShader("pass/trace.frag", featuresOf(scene, settings, {4096}), problems, overrides).text;
+        return buildShader("pass/trace.frag", planOf(*prepare(scene), settings, {.blockTexels = 4096}), problems, overrides).text;
     };
     const Scene scene = sceneNamed("pro");
     const std::string ours = textOf(scene, {}), theirs = textOf(sourceScene(scene), sourceShaders());

@@ -5,6 +5,7 @@
 #include "tests/support/scenes.h"
 #include "tracer/gl/objects.h"
 #include "tracer/gl/read_top_down.h"
+#include "tracer/software/tuning.h"
 #include "tracer/software/uncommon_features.h"
 
 #include <gtest/gtest.h>
@@ -157,10 +158,10 @@ TEST(Parts, OfCrowdsAreTheWholePicture) {
     int rareKinds = 0, rareGlass = 0, rareMaps = 0;
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
         const Scene scene = crowd(seed);
-        const Features features = featuresOf(scene, {}, {.processor = true});
-        for (const KindCount& kind : features.shapes) rareKinds += kind.uncommon;
-        rareGlass += features.refractionUncommon;
-        rareMaps += features.normalMapsUncommon;
+        const ScreenSplit split = splitPlanOf(*prepare(scene), {}, tunedFor(Rasteriser::Llvmpipe)).split;
+        for (const ScreenSplit::Kind& kind : split.kinds) rareKinds += kind.shape;
+        rareGlass += split.refraction;
+        rareMaps += split.normalMaps;
         Dice dice(100 + seed);
         std::vector<Shot> shots{{{0, 2, 30}, {0, 0, 0}}};
         for (int i = 0; i < 4; ++i)

@@ -15,11 +15,11 @@ namespace {
 using test::sceneFrom;
 using test::sceneNamed;
 
-Features features(const Scene& scene, const Settings& settings = {}) { return featuresOf(scene, settings, {}); }
+Plan plan(const Scene& scene, const Settings& settings = {}) { return planOf(*prepare(scene), settings, {}); }
 
 std::string source(const Scene& scene, const Settings& settings = {}) {
     Problems problems;
-    const std::string text = buildShader("pass/trace.frag", features(scene, settings), problems).text;
+    const std::string text = buildShader("pass/trace.frag", plan(scene, settings), problems).text;
     EXPECT_EQ(toString(problems), "");
     return text;
 }
@@ -132,7 +132,7 @@ TEST(ShaderBuilder, LeavesNoDirectiveAndNoCommentBehind) {
 
 TEST(ShaderBuilder, KnowsWhereEveryLineComesFrom) {
     Problems problems;
-    const ShaderSource built = buildShader("pass/trace.frag", features(sceneNamed("pro")), problems);
+    const ShaderSource built = buildShader("pass/trace.frag", plan(sceneNamed("pro")), problems);
     std::istringstream lines(built.text);
     std::string line;
     std::size_t number = 0;
@@ -151,7 +151,7 @@ TEST(ShaderBuilder, KnowsWhereEveryLineComesFrom) {
 
 TEST(ShaderBuilder, MapsTheLogsOfAllDriversToFilesAndLines) {
     Problems problems;
-    const ShaderSource built = buildShader("pass/trace.frag", features(sceneNamed("lite")), problems);
+    const ShaderSource built = buildShader("pass/trace.frag", plan(sceneNamed("lite")), problems);
     const auto sphere = std::ranges::find(built.lines, std::string_view("primitive/sphere.glsl"), &SourceLine::file);
     const std::string number = std::to_string(sphere - built.lines.begin() + 1);
     for (const std::string& log :
@@ -166,7 +166,7 @@ TEST(ShaderBuilder, MapsTheLogsOfAllDriversToFilesAndLines) {
 
 TEST(ShaderBuilder, SaysWhichFileIsMissing) {
     Problems problems;
-    buildShader("pass/nothing.frag", features(sceneNamed("lite")), problems);
+    buildShader("pass/nothing.frag", plan(sceneNamed("lite")), problems);
     ASSERT_EQ(problems.size(), 1u);
     EXPECT_NE(toString(problems).find("pass/nothing.frag"), std::string::npos);
 }
@@ -174,7 +174,7 @@ TEST(ShaderBuilder, SaysWhichFileIsMissing) {
 TEST(ShaderBuilder, TakesAnOverrideInPlaceOfTheLibrarysFile) {
     Problems problems;
     const ShaderFile overrides[] = {{"primitive/torus.glsl", "int inItsPlace;\n"}};
-    const ShaderSource built = buildShader("pass/trace.frag", features(sceneNamed("torus")), problems, overrides);
+    const ShaderSource built = buildShader("pass/trace.frag", plan(sceneNamed("torus")), problems, overrides);
     EXPECT_EQ(toString(problems), "");
     EXPECT_NE(built.text.find("int inItsPlace;"), std::string::npos);
     EXPECT_EQ(built.text.find("struct Torus"), std::string::npos);
@@ -184,7 +184,7 @@ TEST(ShaderBuilder, TakesAnOverrideInPlaceOfTheLibrarysFile) {
 TEST(ShaderBuilder, RefusesAnOverrideOfAFileThatTheLibraryDoesNotHave) {
     Problems problems;
     const ShaderFile overrides[] = {{"primitive/tours.glsl", "int unused;\n"}};
-    buildShader("pass/trace.frag", features(sceneNamed("torus")), problems, overrides);
+    buildShader("pass/trace.frag", plan(sceneNamed("torus")), problems, overrides);
     ASSERT_EQ(problems.size(), 1u);
     EXPECT_NE(toString(problems).find("primitive/tours.glsl"), std::string::npos);
 }
@@ -211,40 +211,6 @@ TEST(ShaderLibrary, CarriesNoCommentsButTheirLines) {
         const auto lines = std::count(std::istreambuf_iterator<char>(text), {}, '\n');
         EXPECT_EQ(std::count(file.text.begin(), file.text.end(), '\n'), lines) << file.name;
     }
-}
-
-TEST(Features, ChooseABlockWhereTheSceneFitsAndAGpuDraws) {
-    const Scene lite = sceneNamed("lite");
-    EXPECT_TRUE(featuresOf(lite, {}, {}).dataBlock);
-    EXPECT_FALSE(featuresOf(lite, {}, {16}).dataBlock);
-    Settings texture;
-    texture.data = DataPath::Texture;
-    EXPECT_FALSE(featuresOf(lite, texture, {}).dataBlock);
-    EXPECT_FALSE(featuresOf(lite, {}, {.processor = true}).dataBlock);
-    Settings block;
-    block.data = DataPath::Block;
-    EXPECT_TRUE(featuresOf(lite, block, {.processor = true}).dataBlock);
-}
-
-Search searchOf(int spheres, DataPath data, const GlslTarget& target) {
-    Scene scene = sceneFrom(R"({"objects": [{"sphere": {"center": [0, 0, 0], "radius": 0.1}}]})");
-    const Object object = scene.objects.front();
-    scene.objects.clear();
-    for (const Shape& shape : test::inACube(spheres, 1)) {
-        scene.objects.push_back(object);
-        scene.objects.back().shape = shape;
-    }
-    Settings settings;
-    settings.data = data;
-    return featuresOf(scene, settings, target).shapes.front().search;
-}
-
-TEST(Features, ChooseCellsWhereNumbersLieInATexture) {
-    EXPECT_EQ(searchOf(200, DataPath::Auto, {}), Search::Hierarchy) << "a block holds them";
-    EXPECT_EQ(searchOf(200, DataPath::Texture, {}), Search::Grid);
-    EXPECT_EQ(searchOf(2000, DataPath::Auto, {}), Search::Grid) << "no block does";
-    EXPECT_EQ(searchOf(2000, DataPath::Block, {}), Search::Hierarchy);
-    EXPECT_EQ(searchOf(200, DataPath::Auto, {.processor = true}), Search::Grid);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // What shapes are drawn as, and when anew: which spheres are huge, what moves, and that a globe's float32 numbers mean
 // the scene's sphere.
 #include "tests/support/scenes.h"
+#include "tracer/plan/scene_offsets.h"
 #include "tracer/plan/scene_packer.h"
 #include "tracer/shader/shader_builder.h"
 
@@ -38,7 +39,7 @@ ShapeKind first(const Scene& scene) { return drawnKinds(scene)[0]; }
 
 std::string sourceOf(const Scene& scene) {
     Problems problems;
-    const std::string text = buildShader("pass/trace.frag", featuresOf(scene, {}, {}), problems).text;
+    const std::string text = buildShader("pass/trace.frag", planOf(*prepare(scene), {}, {}), problems).text;
     EXPECT_EQ(toString(problems), "");
     return text;
 }
@@ -82,10 +83,11 @@ TEST(Drawn, DoesNotChangeWithTime) {
     Scene scene = onSphere(51, 10, kBall);
     scene.objects[1].motion = Orbit{{0, 1e5, 0}, {0, 0, 0}, 1, -1};
     scene.objects[0].motion = Orbit{{0, 0, 0}, {0, 1e5, 0}, 1, -1};
-    const Features features = featuresOf(scene, {}, {});
-    const auto now = packScene(scene, features, 0), later = packScene(scene, features, 1.5707963);
+    const PreparedScenePtr prepared = prepare(scene);
+    const Plan plan = planOf(*prepared, {}, {});
+    const auto now = packScene(prepared, plan, 0), later = packScene(prepared, plan, 1.5707963);
     EXPECT_EQ(now.size(), later.size());
-    EXPECT_EQ(int(now.size()), sceneTexels(features));
+    EXPECT_EQ(int(now.size()), sceneTexels(plan.scene));
     EXPECT_NEAR(now[1].y, 0, 0.01) << "sphere first, then the globe's anchor: its top, under the eye";
     EXPECT_NEAR(later[1].y, 1e5 - 51 - 51, 0.01) << "its lowest point, now over the eye";
 }
@@ -93,9 +95,10 @@ TEST(Drawn, DoesNotChangeWithTime) {
 TEST(Drawn, LeavesTheGlowOfALargeSphereAtItsCentre) {
     Scene scene = onSphere(5100, 10, kFloor);
     scene.objects[0].glow = Glow{};
-    const Features features = featuresOf(scene, {}, {});
-    const auto texels = packScene(scene, features, 0);
-    EXPECT_EQ(features.glows, 1);
+    const PreparedScenePtr prepared = prepare(scene);
+    const Plan plan = planOf(*prepared, {}, {});
+    const auto texels = packScene(prepared, plan, 0);
+    EXPECT_EQ(plan.scene.glows, 1);
     EXPECT_EQ(texels[texels.size() - 2], glm::vec4(0, -5100, 0, Glow{}.strength));
 }
 

@@ -201,7 +201,7 @@ TEST(Hierarchy, OfNothingHasNoNode) {
     const Hierarchy none = build({});
     EXPECT_TRUE(none.nodes.empty());
     EXPECT_EQ(none.cost(), 0);
-    EXPECT_EQ(none.fallsBack(), 0);
+    EXPECT_EQ(none.primitivesAsked(), 0);
     EXPECT_EQ(none.spoilt(), 1);
 }
 
@@ -212,7 +212,7 @@ TEST(Hierarchy, ManagesBoxesWithoutArea) {
     for (const auto& bounds : {points, line}) {
         const Hierarchy h = build(bounds);
         EXPECT_EQ(afterAllBelow(h, 0), int(h.nodes.size()));
-        EXPECT_TRUE(std::isfinite(h.cost()) && std::isfinite(h.fallsBack()) && std::isfinite(h.spoilt()));
+        EXPECT_TRUE(std::isfinite(h.cost()) && std::isfinite(h.primitivesAsked()) && std::isfinite(h.spoilt()));
     }
 }
 
@@ -284,7 +284,7 @@ Ray lineThrough(Dice& dice, const Bounds& box) {
     }
 }
 
-// What cost() and fallsBack() foretell is what lines that meet the root's box and stop at nothing count. 2 % is four
+// What cost() and primitivesAsked() foretell is what lines that meet the root's box and stop at nothing count. 2 % is four
 // standard deviations of these counts.
 TEST_P(HierarchyOf, CostsWhatRandomLinesCount) {
     const Tree tree(bounds, {0, 0, 0});
@@ -298,7 +298,7 @@ TEST_P(HierarchyOf, CostsWhatRandomLinesCount) {
         sum.primitives += visits.primitives;
     }
     EXPECT_NEAR(sum.boxes / lines, hierarchy.cost(), 0.02 * hierarchy.cost());
-    EXPECT_NEAR(sum.primitives / lines, hierarchy.fallsBack(), 0.02 * hierarchy.fallsBack());
+    EXPECT_NEAR(sum.primitives / lines, hierarchy.primitivesAsked(), 0.02 * hierarchy.primitivesAsked());
 }
 
 std::vector<std::string> namesOfSets() {

@@ -1,6 +1,6 @@
 // Which objects make a regular block, and what the shader is told of it.
 #include "tracer/accel/lattice.h"
-#include "tracer/plan/layout.h"
+#include "tracer/plan/prepared_scene.h"
 
 #include "tests/support/scenes.h"
 
@@ -103,7 +103,7 @@ TEST(Lattice, TellsABallAboutEachMember) {
 
 TEST(Layout, NumbersTheLatticeFirstThenCastersThenTheRest) {
     const Scene pro = test::sceneNamed("pro");
-    const auto layouts = layoutOf(pro);
+    const auto layouts = prepare(pro)->layout;
     ASSERT_FALSE(layouts.empty());
     const KindLayout& spheres = layouts[0];
     EXPECT_EQ(spheres.lattice, glm::ivec3(10, 1, 10));
@@ -123,18 +123,18 @@ TEST(Layout, TakesOnlyRestingCastersIntoALattice) {
     Scene pro = test::sceneNamed("pro");
     for (Object& object : pro.objects)
         if (object.shape.kind == ShapeKind::Sphere && object.shape.texels[0].w == 0.8) object.castsShadow = false;
-    EXPECT_EQ(layoutOf(pro)[0].latticeMembers(), 0);
+    EXPECT_EQ(prepare(pro)->layout[0].latticeMembers(), 0);
     pro = test::sceneNamed("pro");
     for (Object& object : pro.objects)
         if (object.shape.kind == ShapeKind::Sphere && object.shape.texels[0].w == 0.8)
             object.motion = Orbit{{1, 0, 0}, {0, 1, 0}, 1, -1};
-    EXPECT_EQ(layoutOf(pro)[0].latticeMembers(), 0);
+    EXPECT_EQ(prepare(pro)->layout[0].latticeMembers(), 0);
 }
 
 // Of objects at one distance the one with the lowest number is seen: that must not depend on where the scene stands.
 TEST(Layout, IsTheSameWhereverTheSceneStands) {
     const Scene pro = test::sceneNamed("pro");
-    const auto here = layoutOf(pro), there = layoutOf(test::moved(pro, {1e6, -2e6, 3e6}));
+    const auto here = prepare(pro)->layout, there = prepare(test::moved(pro, {1e6, -2e6, 3e6}))->layout;
     ASSERT_EQ(here.size(), there.size());
     for (std::size_t i = 0; i < here.size(); ++i) {
         EXPECT_EQ(here[i].objects, there[i].objects);

@@ -2,7 +2,9 @@
 #include "tests/support/scenes.h"
 #include "tests/support/texel_walk.h"
 #include "tracer/clock.h"
+#include "tracer/plan/scene_offsets.h"
 #include "tracer/plan/scene_packer.h"
+#include "tracer/shader/scene_constants.h"
 
 #include <gtest/gtest.h>
 
@@ -22,13 +24,13 @@ using test::sceneFrom;
 using test::sceneNamed;
 
 /// What one picture takes, relative to `origin`.
-std::vector<glm::vec4> packed(const Scene& scene, const Features& features, double time, glm::dvec3 origin) {
-    ScenePacker packer(scene, origin);
-    const auto texels = packer.pack(features, time, scene.camera.eye);
+std::vector<glm::vec4> packed(const Scene& scene, const Plan& plan, double time, glm::dvec3 origin) {
+    ScenePacker packer(prepare(scene), origin);
+    const auto texels = packer.pack(plan, time, scene.camera.eye);
     return {texels.begin(), texels.end()};
 }
 
-std::map<std::string, int> constants(const Features& features) {
+std::map<std::string, int> constants(const SceneFeatures& features) {
     std::map<std::string, int> map;
     for (const auto& [name, value] : constantsOf(features)) map[name] = value;
     return map;
@@ -40,14 +42,15 @@ std::string nameOf(const KindCount& kind) { return "k" + kind.type(); }
 class SceneData : public testing::TestWithParam<const char*> {
   protected:
     Scene scene = sceneNamed(GetParam());
-    Features features = featuresOf(scene, {}, {1 << 20});
-    std::map<std::string, int> at = constants(features);
-    std::vector<glm::vec4> texels = packScene(scene, features, 0);
+    PreparedScenePtr prepared = prepare(scene);
+    Plan plan = planOf(*prepared, {}, {.blockTexels = 1 << 20});
+    std::map<std::string, int> at = constants(plan.scene);
+    std::vector<glm::vec4> texels = packScene(prepared, plan, 0);
 };
 
 TEST_P(SceneData, IsAsLongAsItsConstantsSay) {
     EXPECT_EQ(int(texels.size()), at["kSceneTexels"]);
-    EXPECT_EQ(int(texels.size()), sceneTexels(features));
+    EXPECT_EQ(int(texels.size()), sceneTexels(plan.scene));
 }
 
 TEST_P(SceneData, NamesEveryObjectOnceByItsPlaceInTheFile) {
@@ -57,7 +60,7 @@ TEST_P(SceneData, NamesEveryObjectOnceByItsPlaceInTheFile) {
 }
 
 TEST_P(SceneData, PutsCastersFirstInTheirKind) {
-    for (const KindCount& kind : features.shapes) {
+    for (const KindCount& kind : plan.scene.shapes) {
         const std::string name = nameOf(kind);
         for (int i = 0; i < kind.count; ++i) {
             const int index = int(texels[at["kObjectBase"] + at[name + "First"] + i].y);
@@ -69,7 +72,7 @@ TEST_P(SceneData, PutsCastersFirstInTheirKind) {
 
 TEST_P(SceneData, PacksEveryShapeWhereItsConstantsSay) {
     const auto shapes = shapesAt(scene, 0);
-    for (const KindCount& kind : features.shapes) {
+    for (const KindCount& kind : plan.scene.shapes) {
         const std::string name = nameOf(kind);
         for (int i = 0; i < kind.count; ++i) {
             const int index = int(texels[at["kObjectBase"] + at[name + "First"] + i].y);
@@ -91,7 +94,7 @@ TEST_P(SceneData, IsTheSameAboutItsOwnOriginWhereverItIs) {
     const glm::dvec3 by(0x1p17, -0x1p18, 0x1p19);
     const Scene there = moved(scene, by);
     for (const double time : {0.0, 3.7}) {
-        const auto here = packed(scene, features, time, glm::dvec3(0)), far = packed(there, features, time, by);
+        const auto here = packed(scene, plan, time, glm::dvec3(0)), far = packed(there, plan, time, by);
         ASSERT_EQ(far.size(), here.size());
         for (std::size_t i = 0; i < here.size(); ++i)
             for (int c = 0; c < 4; ++c)
@@ -103,7 +106,7 @@ TEST_P(SceneData, IsInTheWorldsCoordinatesAtHome) {
     const glm::dvec3 origin = originOf(scene);
     EXPECT_EQ(origin, glm::dvec3(0));
     for (int c = 0; c < 3; ++c) EXPECT_FALSE(std::signbit(origin[c]));
-    EXPECT_EQ(packed(scene, features, 0, origin), texels);
+    EXPECT_EQ(packed(scene, plan, 0, origin), texels);
 }
 
 /// The boxes of one kind's objects as the shader numbers them.
@@ -119,15 +122,15 @@ std::vector<Bounds> boundsInOrder(const std::vector<Shape>& shapes, const std::v
 TEST_P(SceneData, HoldsTheHierarchiesOfItsKinds) {
     Settings settings;
     settings.accel = Accel::Hierarchy;
-    features = featuresOf(scene, settings, {1 << 20});
-    at = constants(features);
-    ScenePacker packer(scene);
+    plan = planOf(*prepared, settings, {.blockTexels = 1 << 20});
+    at = constants(plan.scene);
+    ScenePacker packer(prepared, glm::dvec3(0));
     std::map<ShapeKind, Hierarchy> trees;
     for (const double time : {0.0, 0.1, 3.7}) {
-        const auto span = packer.pack(features, time, scene.camera.eye);
+        const auto span = packer.pack(plan, time, scene.camera.eye);
         const std::vector<glm::vec4> now(span.begin(), span.end());
         ASSERT_EQ(int(now.size()), at["kSceneTexels"]);
-        for (const KindCount& kind : features.shapes) {
+        for (const KindCount& kind : plan.scene.shapes) {
             if (kind.search != Search::Hierarchy) continue;
             Hierarchy& tree = trees[kind.kind];
             update(tree, boundsInOrder(shapesAt(scene, time), now, at, kind));
@@ -145,22 +148,24 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SceneData,
 TEST(SceneData, TellsEveryTriangleTheMiddleOfAll) {
     const Scene scene = test::sceneFrom(R"({"objects": [{"triangle": {"vertices": [[0, 0, 0], [1, 0, 0], [0, 2, 0]]}},
         {"sphere": {"center": [90, 90, 90], "radius": 1}}, {"triangle": {"vertices": [[5, 0, -8], [6, 0, 0], [5, 2, 0]]}}]})");
-    const Features features = featuresOf(scene, {}, {});
-    const auto texels = packScene(scene, features, 0);
-    const int base = constants(features)["kTriangleBase"];
+    const PreparedScenePtr prepared = prepare(scene);
+    const Plan plan = planOf(*prepared, {}, {});
+    const auto texels = packScene(prepared, plan, 0);
+    const int base = constants(plan.scene)["kTriangleBase"];
     for (const int triangle : {0, 1})
         for (int i = 0; i < 3; ++i) EXPECT_EQ(texels[base + 3 * triangle + i].w, glm::vec3(3, 1, -4)[i]);
 }
 
 TEST(SceneDataOfLite, GivesGoldTheReflectanceOfTheSource) {
     const Scene scene = sceneNamed("lite");
-    const Features features = featuresOf(scene, {}, {});
-    const auto texels = packScene(scene, features, 0);
+    const PreparedScenePtr prepared = prepare(scene);
+    const Plan plan = planOf(*prepared, {}, {});
+    const auto texels = packScene(prepared, plan, 0);
     int gold = -1;
     for (const Object& object : scene.objects)
         if (object.name == "gold") gold = object.material;
     ASSERT_GE(gold, 0);
-    const glm::vec4 f0 = texels[constants(features)["kMaterialBase"] + gold * kMaterialTexels + 3];
+    const glm::vec4 f0 = texels[constants(plan.scene)["kMaterialBase"] + gold * kMaterialTexels + 3];
     EXPECT_NEAR(f0.r, 0.938, 5e-4);
     EXPECT_NEAR(f0.g, 0.846, 5e-4);
     EXPECT_NEAR(f0.b, 0.391, 5e-4);
@@ -168,10 +173,11 @@ TEST(SceneDataOfLite, GivesGoldTheReflectanceOfTheSource) {
 
 TEST(SceneDataOfLite, ReducesTextureMotionToOnePeriodAlsoAfterADay) {
     const Scene scene = sceneNamed("lite");
-    const Features features = featuresOf(scene, {}, {});
+    const PreparedScenePtr prepared = prepare(scene);
+    const Plan plan = planOf(*prepared, {}, {});
     const double day = 86400.25;
-    const auto texels = packScene(scene, features, day);
-    const int first = constants(features)["kMaterialBase"];
+    const auto texels = packScene(prepared, plan, day);
+    const int first = constants(plan.scene)["kMaterialBase"];
     for (std::size_t m = 0; m < scene.materials.size(); ++m) {
         const auto& use = scene.materials[m].texture;
         if (!use) continue;
@@ -302,12 +308,13 @@ TEST(ScenePacker, Packs10000MovingSpheresIn4Milliseconds) {
     const Scene scene = allMoving(10000);
     Settings tree;
     tree.accel = Accel::Hierarchy;
-    const Features features = featuresOf(scene, tree, {}), gridded = featuresOf(scene, {}, {});
-    ASSERT_EQ(features.shapes[0].search, Search::Hierarchy);
-    ASSERT_EQ(gridded.shapes[0].search, Search::Grid);
-    ScenePacker packer(scene), otherPacker(scene);
+    const PreparedScenePtr prepared = prepare(scene);
+    const Plan plan = planOf(*prepared, tree, {}), gridded = planOf(*prepared, {}, {});
+    ASSERT_EQ(plan.scene.shapes[0].search, Search::Hierarchy);
+    ASSERT_EQ(gridded.scene.shapes[0].search, Search::Grid);
+    ScenePacker packer(prepared, glm::dvec3(0)), otherPacker(prepared, glm::dvec3(0));
     double time = 0;
-    const double packing = medianTime(101, [&] { packer.pack(features, time += 0.01, scene.camera.eye); });
+    const double packing = medianTime(101, [&] { packer.pack(plan, time += 0.01, scene.camera.eye); });
     const double packingCells = medianTime(101, [&] { otherPacker.pack(gridded, time += 0.01, scene.camera.eye); });
 
     std::vector<Shape> shapes;

@@ -3,6 +3,7 @@
 #include "tests/support/scenes.h"
 #include "tests/support/solids.h"
 #include "tracer/plan/scene_packer.h"
+#include "tracer/plan/solid_texels.h"
 #include "tracer/scene/read_scene.h"
 #include "tracer/shader/shader_builder.h"
 #include "tracer/shader/solid_source.h"
@@ -26,7 +27,7 @@ std::string problemsOf(std::string_view object) {
 
 std::string sourceOf(const Scene& scene) {
     Problems problems;
-    const std::string text = buildShader("pass/trace.frag", featuresOf(scene, {}, {1 << 20}), problems).text;
+    const std::string text = buildShader("pass/trace.frag", planOf(*prepare(scene), {}, {.blockTexels = 1 << 20}), problems).text;
     EXPECT_TRUE(problems.empty()) << toString(problems);
     return text;
 }
@@ -77,7 +78,7 @@ TEST(Solid, SolidsOfOneFormAreOneKind) {
     const std::string ball = R"({"offset": {"by": 0.1, "of": {"sphere": {"center": [0, 0, 0], "radius": 1}}}})";
     const std::string cube = R"({"offset": {"by": 0.2, "of": {"box": {"center": [3, 0, 0], "half_size": [1, 1, 1]}}}})";
     const Scene scene = sceneFrom(R"({"objects": [)" + ball + "," + cube + "," + ball + "]}");
-    const Features features = featuresOf(scene, {}, {1 << 20});
+    const SceneFeatures features = planOf(*prepare(scene), {}, {.blockTexels = 1 << 20}).scene;
     ASSERT_EQ(features.shapes.size(), 2u);
     EXPECT_EQ(features.shapes[0].type(), "Solid0");
     EXPECT_EQ(features.shapes[0].count, 2);

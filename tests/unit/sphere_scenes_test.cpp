@@ -1,7 +1,7 @@
 /// The scenes that `gnomon lab trace` measures growth with: what is said of them holds for every number of spheres.
 #include "lab/trace/sphere_scenes.h"
 
-#include "tracer/plan/layout.h"
+#include "tracer/plan/prepared_scene.h"
 #include "tracer/plan/camera.h"
 
 #include <gtest/gtest.h>
@@ -66,7 +66,7 @@ TEST(SphereScenes, AreTheSameForTheSameSeedOnly) {
 // All of a lattice is one block, nothing of the others is.
 TEST(SphereScenes, MakeALatticeOnlyWhereTheyAreRegular) {
     const auto blocks = [](Arrangement arrangement) {
-        const auto layout = layoutOf(sphereScene(arrangement, 100));
+        const auto layout = prepare(sphereScene(arrangement, 100))->layout;
         EXPECT_EQ(layout.size(), 1U);
         return layout[0].latticeMembers();
     };

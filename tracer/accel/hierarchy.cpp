@@ -221,7 +221,7 @@ double Hierarchy::cost() const {
     return 1 + overRoot(*this, sum);
 }
 
-double Hierarchy::fallsBack() const {
+double Hierarchy::primitivesAsked() const {
     double sum = 0;
     for (const HierarchyNode& node : nodes)
         if (node.isLeaf()) sum += halfArea(node.bounds);

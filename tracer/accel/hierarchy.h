@@ -33,7 +33,7 @@ struct Hierarchy {
     /// Boxes that a ray which is aimed at the root's box has to ask, on average: each child of a box that it meets.
     double cost() const;
     /// Primitives that such a ray has to ask.
-    double fallsBack() const;
+    double primitivesAsked() const;
     /// cost() over what it was when built: 1 at first; where it exceeds 1.5 or so, building anew pays.
     double spoilt() const { return builtCost > 0 ? cost() / builtCost : 1; }
 };

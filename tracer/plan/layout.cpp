@@ -10,17 +10,17 @@
 namespace gnomon {
 namespace {
 
-/// Moves the block's members, if there is a block, to the front.
-void separateBlock(const Scene& scene, const std::vector<Shape>& shapes, KindLayout& layout) {
+/// Moves the lattice's members, if there is a lattice, to the front.
+void separateLattice(const Scene& scene, const std::vector<Shape>& shapes, KindLayout& layout) {
     std::vector<int> resting;
     for (const int i : layout.objects) {
         const Object& object = scene.objects[std::size_t(i)];
         if (object.castsShadow && !object.motion) resting.push_back(i);
     }
-    const auto block = findLattice(shapes, resting);
-    if (!block) return;
-    layout.lattice = block->cells;
-    std::vector<int> order = block->members;
+    const auto lattice = findLattice(shapes, resting);
+    if (!lattice) return;
+    layout.lattice = lattice->cells;
+    std::vector<int> order = lattice->members;
     std::vector<bool> member(shapes.size(), false);
     for (const int i : order) member[std::size_t(i)] = true;
     std::copy_if(layout.objects.begin(), layout.objects.end(), std::back_inserter(order),
@@ -30,11 +30,8 @@ void separateBlock(const Scene& scene, const std::vector<Shape>& shapes, KindLay
 
 } // namespace
 
-std::vector<KindLayout> layoutOf(const Scene& scene) {
+std::vector<KindLayout> layoutOf(const Scene& scene, const std::vector<Shape>& shapes) {
     const std::vector<ShapeKind> kinds = drawnKinds(scene);
-    const glm::dvec3 origin = originOf(scene); // what is far from the world's origin makes blocks as well
-    std::vector<Shape> shapes = shapesAt(scene, 0);
-    for (Shape& shape : shapes) shape = translated(shape, -origin);
     std::vector<KindLayout> layouts(kShapeKinds);
     std::map<std::string, std::size_t> forms; // of solids: where in layouts
     for (const bool casters : {true, false})
@@ -55,7 +52,7 @@ std::vector<KindLayout> layoutOf(const Scene& scene) {
     layouts.erase(std::remove_if(layouts.begin(), layouts.end(), [](const auto& l) { return l.objects.empty(); }),
                   layouts.end());
     for (KindLayout& layout : layouts)
-        if (shapeRow(layout.kind).extent && !layout.solid) separateBlock(scene, shapes, layout);
+        if (shapeRow(layout.kind).extent && !layout.solid) separateLattice(scene, shapes, layout);
     return layouts;
 }
 

@@ -2,10 +2,12 @@
 
 #include "tracer/accel/lattice.h"
 #include "tracer/accel/node_texels.h"
-#include "tracer/software/uncommon_features.h"
-#include "tracer/shader/solid_source.h"
+#include "tracer/plan/scene_offsets.h"
+#include "tracer/plan/shape_texels.h"
+#include "tracer/plan/solid_texels.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <limits>
 
@@ -44,7 +46,8 @@ glm::vec4 placement(const std::optional<TextureUse>& use, glm::vec2 tile, double
 /// More than there are layers: two of them in one number, as shaders/shade/material.glsl takes it apart.
 constexpr int kLayers = kMostLayers + 1;
 
-void packMaterial(const Material& m, const TextureSet& textureSet, const Tiles& tiles, double time, std::vector<glm::vec4>& out) {
+void packMaterial(const Material& m, const TextureSet& textureSet, const Tiles& tiles, double time,
+                  std::vector<glm::vec4>& out) {
     const Optics optics = opticsOf(m);
     const int paint = textureSet.paintOf(m), normal = textureSet.normalOf(m);
     const auto tile = [](const std::vector<glm::vec2>& of, int layer) {
@@ -80,110 +83,63 @@ Shape toldFromHere(Shape plane) {
 
 } // namespace
 
-int sceneTexels(const Features& features) { return constantsOf(features).back().second; }
+ScenePacker::ScenePacker(PreparedScenePtr prepared) : ScenePacker(prepared, prepared->origin) {}
 
-std::vector<std::pair<std::string, int>> constantsOf(const Features& features) {
-    std::vector<std::pair<std::string, int>> constants;
-    int texel = 0, object = 0;
-    for (const KindCount& kind : features.shapes) {
-        const std::string name = "k" + kind.type();
-        constants.insert(constants.end(), {{name + "Base", texel},
-                                           {name + "Texels", kind.texels()},
-                                           {name + "First", object},
-                                           {name + "End", object + kind.count},
-                                           {name + "Count", kind.count},
-                                           {name + "Casters", kind.casters}});
-        texel += kind.texels() * kind.count;
-        object += kind.count;
-    }
-    for (const KindCount& kind : features.shapes) {
-        const std::string name = "k" + kind.type();
-        if (kind.latticeMembers() > 0) {
-            constants.insert(constants.end(), {{name + "Lattice", texel},
-                                               {name + "LatticeX", kind.lattice.x},
-                                               {name + "LatticeY", kind.lattice.y},
-                                               {name + "LatticeZ", kind.lattice.z}});
-            texel += kLatticeTexels;
-        }
-        if (kind.search == Search::Hierarchy) {
-            constants.insert(constants.end(), {{name + "Quantisation", texel}, {name + "Nodes", nodesFor(kind.loose())}});
-            texel += hierarchyTexels(kind.loose());
-        }
-        if (kind.search == Search::Grid) {
-            constants.insert(constants.end(), {{name + "Grid", texel},
-                                               {name + "GridX", kind.grid.count.x},
-                                               {name + "GridY", kind.grid.count.y},
-                                               {name + "GridZ", kind.grid.count.z}});
-            texel += kind.grid.texels();
-        }
-        if (kind.latticeMembers() > 0 || kind.search != Search::Loop)
-            constants.emplace_back(name + "Loose", kind.latticeMembers());
-    }
-    const auto block = [&](const char* name, int count, int size) {
-        constants.emplace_back(std::string("k") + name + "Base", texel);
-        constants.emplace_back(std::string("k") + name + "Count", count);
-        texel += count * size;
-    };
-    block("Object", object, 1);
-    block("Material", features.materials, kMaterialTexels);
-    block("Light", features.lights, kLightTexels);
-    if (features.glows > 0) block("Glow", features.glows, kGlowTexels);
-    constants.emplace_back("kSceneTexels", texel);
-    return constants;
-}
+ScenePacker::ScenePacker(PreparedScenePtr prepared, glm::dvec3 origin)
+    : prepared_(std::move(prepared)), origin_(origin), hierarchies_(prepared_->layout.size()) {}
 
-ScenePacker::ScenePacker(const Scene& scene, glm::dvec3 origin)
-    : scene_(scene), origin_(origin), layout_(layoutOf(scene)), textureSet_(textureSetOf(scene)), hierarchies_(layout_.size()) {}
-
-std::span<const glm::vec4> ScenePacker::pack(const Features& features, double time, glm::dvec3 eye) {
+std::span<const glm::vec4> ScenePacker::pack(const Plan& plan, double time, glm::dvec3 eye) {
     shapes_ = shapesAbout(time);
     noteMiddleOfTriangles(shapes_);
     texels_.clear();
-    packShapes(shapes_, eye - origin_);
-    packSearches(features, shapes_, glm::vec3(eye - origin_));
-    packObjects(features);
-    for (const Material& material : scene_.materials) packMaterial(material, textureSet_, tiles_, time, texels_);
+    packShapes(eye - origin_);
+    packSearches(plan.scene, glm::vec3(eye - origin_));
+    packObjects(plan.split);
+    for (const Material& material : prepared_->scene.materials)
+        packMaterial(material, prepared_->textureSet, tiles_, time, texels_);
     packLights();
-    if (features.glows > 0) packGlows(shapes_);
+    if (plan.scene.glows > 0) packGlows();
+    assert(int(texels_.size()) == sceneTexels(plan.scene));
     return texels_;
 }
 
 /// Every object's shape at `time` relative to the origin.
 std::vector<Shape> ScenePacker::shapesAbout(double time) const {
-    std::vector<Shape> shapes = shapesAt(scene_, time);
+    const Scene& scene = prepared_->scene;
+    std::vector<Shape> shapes = shapesAt(scene, time);
     if (origin_ == glm::dvec3(0)) return shapes;
     for (std::size_t i = 0; i < shapes.size(); ++i) {
         shapes[i] = translated(shapes[i], -origin_);
         // The stated point is where an image on the plane begins.
         if (shapes[i].kind == ShapeKind::Plane &&
-            !scene_.materials[std::size_t(scene_.objects[i].material)].showsImages())
+            !scene.materials[std::size_t(scene.objects[i].material)].showsImages())
             shapes[i] = toldFromHere(shapes[i]);
     }
     return shapes;
 }
 
-void ScenePacker::packShapes(const std::vector<Shape>& shapes, glm::dvec3 eye) {
-    for (const KindLayout& kind : layout_)
+void ScenePacker::packShapes(glm::dvec3 eye) {
+    for (const KindLayout& kind : prepared_->layout)
         for (const int i : kind.objects) {
+            const Shape& shape = shapes_[std::size_t(i)];
             if (kind.solid) {
-                appendTexels(shapes[std::size_t(i)], texels_);
-                continue;
+                appendTexels(shape, texels_);
+            } else {
+                appendShape(drawnAs(kind.kind, shape, eye), texels_);
             }
-            const Shape drawn = drawnAs(kind.kind, shapes[std::size_t(i)], eye);
-            for (int k = 0; k < shapeRow(kind.kind).texels; ++k) texels_.emplace_back(drawn.texels[std::size_t(k)]);
         }
 }
 
-void ScenePacker::packSearches(const Features& features, const std::vector<Shape>& shapes, glm::vec3 eye) {
-    for (std::size_t k = 0; k < layout_.size(); ++k) {
+void ScenePacker::packSearches(const SceneFeatures& features, glm::vec3 eye) {
+    for (std::size_t k = 0; k < prepared_->layout.size(); ++k) {
         const KindCount& kind = features.shapes[k];
-        const std::span<const int> objects = layout_[k].objects;
-        const auto shape = [&](std::size_t i) { return shapes[std::size_t(objects[i])]; };
+        const std::span<const int> objects = prepared_->layout[k].objects;
+        const auto shape = [&](std::size_t i) { return shapes_[std::size_t(objects[i])]; };
         const auto members = std::size_t(kind.latticeMembers());
         if (members > 0) appendTexels(kind.lattice, shape(0), shape(members - 1), texels_);
         if (kind.search != Search::Hierarchy && kind.search != Search::Grid) continue;
         bounds_.clear();
-        for (const int i : objects.subspan(members)) bounds_.push_back(*boundsOf(shapes[std::size_t(i)]));
+        for (const int i : objects.subspan(members)) bounds_.push_back(*boundsOf(shapes_[std::size_t(i)]));
         if (kind.search == Search::Grid) {
             appendGrid(kind.grid, bounds_, texels_);
         } else {
@@ -193,46 +149,36 @@ void ScenePacker::packSearches(const Features& features, const std::vector<Shape
     }
 }
 
-void ScenePacker::packObjects(const Features& features) {
-    for (std::size_t k = 0; k < layout_.size(); ++k)
-        for (const int i : layout_[k].objects) {
-            const int material = scene_.objects[std::size_t(i)].material;
-            const bool left = fallsBack(features, features.shapes[k], scene_.materials[std::size_t(material)]);
-            texels_.emplace_back(float(material), float(i), float(left), 0.0f);
+void ScenePacker::packObjects(const ScreenSplit& split) {
+    const Scene& scene = prepared_->scene;
+    for (std::size_t k = 0; k < prepared_->layout.size(); ++k)
+        for (const int i : prepared_->layout[k].objects) {
+            const int material = scene.objects[std::size_t(i)].material;
+            const bool discarded = split.fallsBack(k, scene.materials[std::size_t(material)]);
+            texels_.emplace_back(float(material), float(i), float(discarded), 0.0f);
         }
 }
 
 void ScenePacker::packLights() {
-    for (const Light& light : scene_.lights) {
+    for (const Light& light : prepared_->scene.lights) {
         texels_.emplace_back(glm::vec4(light.position - origin_, light.radius));
         texels_.emplace_back(glm::vec4(light.color, 0));
     }
 }
 
-void ScenePacker::packGlows(const std::vector<Shape>& shapes) {
-    for (std::size_t i = 0; i < scene_.objects.size(); ++i)
-        if (const auto& glow = scene_.objects[i].glow) {
-            texels_.emplace_back(glm::vec4(pointOf(shapes[i], "center"), glow->strength));
+void ScenePacker::packGlows() {
+    const std::vector<Object>& objects = prepared_->scene.objects;
+    for (std::size_t i = 0; i < objects.size(); ++i)
+        if (const auto& glow = objects[i].glow) {
+            texels_.emplace_back(glm::vec4(pointOf(shapes_[i], "center"), glow->strength));
             texels_.emplace_back(glm::vec4(glow->color, glow->softness));
         }
 }
 
-std::vector<ScreenBounds> ScenePacker::screenBounds(const Features& features) const {
-    std::vector<ScreenBounds> screenBounds;
-    for (std::size_t k = 0; k < layout_.size(); ++k)
-        for (const int i : layout_[k].objects) {
-            const Shape& shape = shapes_[std::size_t(i)];
-            const Material& material = scene_.materials[std::size_t(scene_.objects[std::size_t(i)].material)];
-            ScreenBounds bounds{{}, shape.kind == ShapeKind::Sphere, fallsBack(features, features.shapes[k], material)};
-            if (layout_[k].kind != ShapeKind::LargeSphere) bounds.bounds = boundsOf(shape); // a large sphere has no end
-            screenBounds.push_back(bounds);
-        }
-    return screenBounds;
-}
-
-std::vector<glm::vec4> packScene(const Scene& scene, const Features& features, double time) {
-    ScenePacker packer(scene);
-    const auto texels = packer.pack(features, time, scene.camera.eye);
+std::vector<glm::vec4> packScene(PreparedScenePtr prepared, const Plan& plan, double time) {
+    const glm::dvec3 eye = prepared->scene.camera.eye;
+    ScenePacker packer(std::move(prepared), glm::dvec3(0));
+    const auto texels = packer.pack(plan, time, eye);
     return {texels.begin(), texels.end()};
 }
 

@@ -4,8 +4,8 @@
 
 namespace gnomon {
 
-FrameUniforms frameUniforms(const View& view, const Scene& scene, glm::dvec3 origin, const Settings& settings,
-                            bool shown) {
+FrameUniforms frameUniforms(const View& view, const PreparedScene& prepared, const Settings& settings, bool shown) {
+    const glm::dvec3 origin = prepared.origin;
     const CameraFrame camera = frameOf(view.camera);
     const double aspect = double(view.width) / view.height;
     const std::string_view channels = colorModes()[std::size_t(settings.colorMode)];
@@ -16,7 +16,7 @@ FrameUniforms frameUniforms(const View& view, const Scene& scene, glm::dvec3 ori
     frame.up = glm::vec4(camera.up * camera.halfHeight, 0);
     frame.forward = glm::vec4(camera.forward, 0);
     frame.origin = glm::vec4(origin, 0);
-    frame.background = glm::vec4(scene.background.color, 1);
+    frame.background = glm::vec4(prepared.scene.background.color, 1);
     frame.channels = glm::ivec4(channel(0), channel(1), channel(2), 0);
     frame.canvas = glm::vec2(view.width, view.height);
     frame.pixelAngle = float(2 * camera.halfHeight / view.height);

@@ -2,15 +2,15 @@
 #pragma once
 
 #include "tracer/gl/objects.h"
+#include "tracer/plan/prepared_scene.h"
 #include "tracer/render/frame_uniforms.h"
 #include "tracer/render/view.h"
-#include "tracer/scene/scene.h"
 #include "tracer/settings/settings.h"
 
 namespace gnomon {
 
-/// `origin` is what the shader's coordinates are relative to; `shown`: for a display, else for reading back.
-FrameUniforms frameUniforms(const View&, const Scene&, glm::dvec3 origin, const Settings&, bool shown);
+/// `shown`: for a display, else for reading back.
+FrameUniforms frameUniforms(const View&, const PreparedScene&, const Settings&, bool shown);
 
 /// The block, and the vertex array that every pass draws with: no vertex has data.
 class FrameBlock {

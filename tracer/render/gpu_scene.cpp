@@ -1,13 +1,15 @@
 #include "tracer/render/gpu_scene.h"
 
+#include <utility>
+
 namespace gnomon {
 
-GpuScene::GpuScene(const Scene& scene, int maxTextureSize)
-    : scene_(scene), origin_(originOf(scene)), packer_(scene, origin_), images_(scene, maxTextureSize) {}
+GpuScene::GpuScene(PreparedScenePtr prepared, int maxTextureSize)
+    : prepared_(std::move(prepared)), packer_(prepared_), images_(prepared_, maxTextureSize) {}
 
-void GpuScene::upload(const Features& features, const View& view, const Pictures& pictures, Problems& problems) {
+void GpuScene::upload(const Plan& plan, const View& view, const Pictures& pictures, Problems& problems) {
     if (auto tiles = images_.bind(pictures, problems)) packer_.setTiles(std::move(*tiles)); // before they are packed
-    numbers_.upload(packer_.pack(features, view.time, view.camera.eye), features.dataBlock);
+    numbers_.upload(packer_.pack(plan, view.time, view.camera.eye), plan.scene.dataBlock);
 }
 
 } // namespace gnomon

@@ -11,21 +11,19 @@ namespace gnomon {
 
 class GpuScene {
   public:
-    GpuScene(const Scene&, int maxTextureSize);
+    GpuScene(PreparedScenePtr, int maxTextureSize);
 
-    const Scene& scene() const { return scene_; }
-    glm::dvec3 origin() const { return origin_; } ///< originOf(scene)
+    const PreparedScene& prepared() const { return *prepared_; }
     SceneImages& images() { return images_; }
     const SceneImages& images() const { return images_; }
 
-    /// Brings all to the GPU that programs of these features read for the view, and binds it.
-    void upload(const Features&, const View&, const Pictures&, Problems&);
-    /// What eye rays may meet of what was uploaded last.
-    std::vector<ScreenBounds> screenBounds(const Features& features) const { return packer_.screenBounds(features); }
+    /// Brings all to the GPU that programs of this plan read for the view, and binds it.
+    void upload(const Plan&, const View&, const Pictures&, Problems&);
+    /// Every object's shape as it was uploaded last, relative to the origin.
+    const std::vector<Shape>& shapes() const { return packer_.shapes(); }
 
   private:
-    Scene scene_;
-    glm::dvec3 origin_;
+    PreparedScenePtr prepared_;
     ScenePacker packer_;
     SceneImages images_;
     SceneNumbers numbers_;

@@ -95,7 +95,7 @@ FloatImage OutputReader::values(const Drawing& drawing, const View& view, Frame&
 Image OutputReader::shown(const Drawing& drawing, const View& view, Frame& frame, const gl::Info& info,
                           Problems& problems) {
     if (inBatches(drawing.settings) && info.floatTargets)
-        return pictureOf(meanOfBatches(drawing, view, frame, info, problems), drawing.trace.features().linear);
+        return pictureOf(meanOfBatches(drawing, view, frame, info, problems), drawing.trace.plan().scene.linear);
     if (!draw(drawing, drawing.settings, view, GL_RGBA8, frame, info, problems)) return {};
     Image image = gl::readTopDown(view.width, view.height);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);

@@ -1,7 +1,10 @@
 #include "tracer/render/renderer.h"
 
 #include "tracer/clock.h"
+#include "tracer/plan/scene_offsets.h"
 #include "tracer/render/read_output.h"
+#include "tracer/software/tuning.h"
+#include "tracer/software/uncommon_features.h"
 
 #include <algorithm>
 #include <chrono>
@@ -23,17 +26,17 @@ void setState(const gl::Info& info) {
 }
 
 /// Whether this GL can hold the scene.
-bool fits(const Scene& scene, const Settings& settings, const gl::Info& info, Problems& problems) {
+bool fits(const PreparedScene& prepared, const Settings& settings, const gl::Info& info, Problems& problems) {
     const std::size_t before = problems.size();
     const auto refuse = [&](const std::string& what, const std::string& remedy) {
-        problems.push_back({scene.file, 0, {}, what, remedy});
+        problems.push_back({prepared.scene.file, 0, {}, what, remedy});
     };
-    const int texels = sceneTexels(featuresOf(scene, settings, targetOf(info)));
+    const int texels = sceneTexels(planOf(prepared, settings, targetOf(info)).scene);
     const long most = long(kDataWidth) * info.maxTextureSize;
     if (texels > most)
         refuse("the scene takes " + std::to_string(texels) + " texels, this GL holds " + std::to_string(most),
                "use fewer objects");
-    const TextureSet textureSet = textureSetOf(scene);
+    const TextureSet& textureSet = prepared.textureSet;
     const int layers = int(std::max(textureSet.paints.size(), textureSet.normals.size()));
     const int mostLayers = std::min(kMostLayers, info.maxLayers);
     if (layers > mostLayers)
@@ -42,25 +45,25 @@ bool fits(const Scene& scene, const Settings& settings, const gl::Info& info, Pr
     return problems.size() == before;
 }
 
-/// What is drawn with for the settings. A problem where numbers do not lie where the settings want them.
-Features featuresFor(const Scene& scene, const Settings& settings, const gl::Info& info, bool overridden,
-                     Problems& problems) {
-    Features features = featuresOf(scene, settings, targetOf(info));
+/// How to draw for the settings. A problem where scene data does not lie where the settings want it.
+Plan planFor(const PreparedScene& prepared, const Settings& settings, const gl::Info& info, bool overridden,
+             Problems& problems) {
+    Plan plan = splitPlanOf(prepared, settings, targetOf(info));
     if (overridden) { // variants are of the library's own files
-        features.parted = features.cachedLoads = false;
-        features.tile = 0;
+        plan.split = {};
+        plan.target.cachedLoads = false;
     }
-    const int texels = sceneTexels(features), room = targetOf(info).blockTexels;
-    if (features.dataBlock && texels > room) {
-        features.dataBlock = false;
-        problems.push_back({scene.file,
+    const int texels = sceneTexels(plan.scene), room = plan.target.blockTexels;
+    if (plan.scene.dataBlock && texels > room) {
+        plan.scene.dataBlock = false;
+        problems.push_back({prepared.scene.file,
                             0,
                             {},
                             "the scene takes " + std::to_string(texels) + " texels, a uniform block of this GL holds " +
-                                std::to_string(room) + ": its numbers go into a texture",
+                                std::to_string(room) + ": its values go into a texture",
                             {}});
     }
-    return features;
+    return plan;
 }
 
 } // namespace
@@ -88,11 +91,10 @@ struct Renderer::Impl {
     void choose() {
         if (!wanted.scene) return;
         Problems& problems = frame.problems;
-        const Features features =
-            featuresFor(wanted.scene->scene(), settings, info, programs.overridden(), problems);
+        const Plan plan = planFor(wanted.scene->prepared(), settings, info, programs.overridden(), problems);
         wanted.settings = settings;
-        wanted.trace = VariantPrograms(features, programs, problems);
-        wanted.resolve = programs.get(features, problems, "pass/resolve.frag");
+        wanted.trace = VariantPrograms(plan, programs, problems);
+        wanted.resolve = programs.get(plan, problems, "pass/resolve.frag");
         adopted = false;
         adopt();
     }
@@ -123,7 +125,7 @@ struct Renderer::Impl {
 
     /// A linear picture of one pixel.
     const TracePass& warmed() {
-        warm.begin(wanted, {wanted.scene->scene().camera, 0, 1, 1});
+        warm.begin(wanted, {wanted.scene->prepared().scene.camera, 0, 1, 1});
         return warm;
     }
 
@@ -155,8 +157,9 @@ Renderer::Renderer(std::span<const ShaderFile> overrides) : impl_(std::make_uniq
 Renderer::~Renderer() = default;
 
 bool Renderer::setScene(const Scene& scene, Problems& problems) {
-    if (!fits(scene, impl_->settings, impl_->info, problems)) return false;
-    impl_->wanted.scene = std::make_shared<GpuScene>(scene, impl_->info.maxTextureSize);
+    const PreparedScenePtr prepared = prepare(scene);
+    if (!fits(*prepared, impl_->settings, impl_->info, problems)) return false;
+    impl_->wanted.scene = std::make_shared<GpuScene>(prepared, impl_->info.maxTextureSize);
     impl_->choose();
     return true;
 }
@@ -169,9 +172,10 @@ void Renderer::setImage(const std::string& name, const Image& image) {
 }
 
 void Renderer::configure(const Settings& settings) {
-    impl_->settings = settings;
+    const bool alike = planAlike(impl_->settings, settings);
+    impl_->settings = impl_->wanted.settings = settings;
     ++impl_->version;
-    impl_->choose();
+    if (!alike || !impl_->wanted) impl_->choose();
     impl_->drawn.settings = settings; // what is only a number acts at once, also while a new program compiles
 }
 

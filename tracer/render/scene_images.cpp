@@ -3,6 +3,7 @@
 #include "tracer/shader/program_cache.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace gnomon {
 namespace {
@@ -18,25 +19,15 @@ const Image& pictureOr(const Image& standIn, const Pictures& pictures, const std
     return found == pictures.end() ? standIn : found->second;
 }
 
-std::vector<std::string> facesOf(const Scene& scene) {
-    std::vector<std::string> faces;
-    if (scene.background.cubemap.empty()) return faces;
-    for (const char* side : {"-px", "-nx", "-py", "-ny", "-pz", "-nz"})
-        faces.push_back(scene.background.cubemap + side);
-    return faces;
-}
-
 } // namespace
 
-SceneImages::SceneImages(const Scene& scene, int maxSide)
-    : file_(scene.file), linear_(scene.encoding == Encoding::Linear), maxSide_(maxSide), set_(textureSetOf(scene)),
-      faces_(facesOf(scene)) {}
+SceneImages::SceneImages(PreparedScenePtr prepared, int maxSide) : prepared_(std::move(prepared)), maxSide_(maxSide) {}
 
-gl::Texels SceneImages::coding() const { return linear_ ? gl::Texels::Srgb : gl::Texels::Display; }
+gl::Texels SceneImages::coding() const { return prepared_->scene.encoding == Encoding::Linear ? gl::Texels::Srgb : gl::Texels::Display; }
 
 void SceneImages::arrived(const std::string& name) {
-    layersStale_ |= set_.shows(name);
-    skyStale_ |= std::find(faces_.begin(), faces_.end(), name) != faces_.end();
+    layersStale_ |= prepared_->textureSet.shows(name);
+    skyStale_ |= std::find(prepared_->skyFaces.begin(), prepared_->skyFaces.end(), name) != prepared_->skyFaces.end();
 }
 
 double SceneImages::share(const Pictures& pictures) const {
@@ -46,12 +37,12 @@ double SceneImages::share(const Pictures& pictures) const {
         ++wanted;
         there += int(pictures.contains(name));
     };
-    for (const Paint& paint : set_.paints) {
+    for (const Paint& paint : prepared_->textureSet.paints) {
         count(paint.color);
         count(paint.mask);
     }
-    for (const std::string& name : set_.normals) count(name);
-    for (const std::string& name : faces_) count(name);
+    for (const std::string& name : prepared_->textureSet.normals) count(name);
+    for (const std::string& name : prepared_->skyFaces) count(name);
     return wanted == 0 ? 1 : double(there) / wanted;
 }
 
@@ -61,7 +52,7 @@ gl::Texture SceneImages::upload(std::vector<Image> images, gl::Texels texels, st
     const Layers layers(std::move(images), texels == gl::Texels::Srgb, maxSide_, kMostImageBytes);
     for (int i = 0; i < layers.count(); ++i) tiles.push_back(layers.tile(i));
     if (layers.reduced())
-        problems.push_back({file_,
+        problems.push_back({prepared_->scene.file,
                             0,
                             {},
                             "the images take more than 512 MB, or are larger than this GL takes them: the largest are "
@@ -73,10 +64,10 @@ gl::Texture SceneImages::upload(std::vector<Image> images, gl::Texels texels, st
 Tiles SceneImages::uploadLayers(const Pictures& pictures, Problems& problems) {
     const Image none, grey = flat(128, 128, 128), level = flat(128, 128, 255), dry = flat(0, 0, 0);
     std::vector<Image> paints, normals;
-    for (const Paint& paint : set_.paints)
+    for (const Paint& paint : prepared_->textureSet.paints)
         paints.push_back(painted(paint.color.empty() ? none : pictureOr(grey, pictures, paint.color),
                                  paint.mask.empty() ? none : pictureOr(dry, pictures, paint.mask)));
-    for (const std::string& name : set_.normals) normals.push_back(pictureOr(level, pictures, name));
+    for (const std::string& name : prepared_->textureSet.normals) normals.push_back(pictureOr(level, pictures, name));
     Tiles tiles;
     paints_ = upload(std::move(paints), coding(), tiles.paints, problems);
     normals_ = upload(std::move(normals), gl::Texels::Display, tiles.normals, problems);
@@ -85,7 +76,7 @@ Tiles SceneImages::uploadLayers(const Pictures& pictures, Problems& problems) {
 
 void SceneImages::uploadSky(const Pictures& pictures) {
     std::vector<Image> faces;
-    for (const std::string& name : faces_)
+    for (const std::string& name : prepared_->skyFaces)
         if (const auto found = pictures.find(name); found != pictures.end()) faces.push_back(found->second);
     const bool complete = faces.size() == 6 && std::all_of(faces.begin(), faces.end(), [&](const Image& face) {
                               return face.width == face.height && face.width == faces[0].width;
@@ -97,9 +88,9 @@ void SceneImages::uploadSky(const Pictures& pictures) {
 std::optional<Tiles> SceneImages::bind(const Pictures& pictures, Problems& problems) {
     const auto lost = [](const gl::Texture& texture, bool wanted) { return wanted && !texture; };
     std::optional<Tiles> tiles;
-    if (layersStale_ || lost(paints_, !set_.paints.empty()) || lost(normals_, !set_.normals.empty()))
+    if (layersStale_ || lost(paints_, !prepared_->textureSet.paints.empty()) || lost(normals_, !prepared_->textureSet.normals.empty()))
         tiles = uploadLayers(pictures, problems);
-    if (!faces_.empty() && (skyStale_ || !sky_)) uploadSky(pictures);
+    if (!prepared_->skyFaces.empty() && (skyStale_ || !sky_)) uploadSky(pictures);
     layersStale_ = skyStale_ = false;
     glActiveTexture(GL_TEXTURE0 + kPaintUnit);
     glBindTexture(GL_TEXTURE_2D_ARRAY, paints_.get());

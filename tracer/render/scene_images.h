@@ -3,9 +3,9 @@
 
 #include "tracer/gl/objects.h"
 #include "tracer/plan/scene_packer.h"
-#include "tracer/plan/texture_set.h"
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +17,7 @@ using Pictures = std::map<std::string, Image>;
 class SceneImages {
   public:
     /// Images larger than `maxSide` are drawn smaller.
-    SceneImages(const Scene&, int maxSide);
+    SceneImages(PreparedScenePtr, int maxSide);
 
     /// A picture has come, or another in its place: what shows it is uploaded anew.
     void arrived(const std::string& name);
@@ -34,11 +34,8 @@ class SceneImages {
     void uploadSky(const Pictures&);
     gl::Texels coding() const;
 
-    std::string file_; ///< of the scene, for problems
-    bool linear_;
+    PreparedScenePtr prepared_;
     int maxSide_;
-    TextureSet set_;
-    std::vector<std::string> faces_; ///< of the sky, in GL's order; none where it is a colour
     gl::Texture paints_, normals_, sky_;
     bool layersStale_ = true, skyStale_ = true;
 };

@@ -1,6 +1,6 @@
 #include "tracer/render/scene_numbers.h"
 
-#include "tracer/plan/scene_packer.h"
+#include "tracer/plan/scene_offsets.h"
 #include "tracer/shader/program_cache.h"
 
 namespace gnomon {

@@ -51,6 +51,7 @@ struct Material {
 
     /// A surface of it has to tell where on an image a point lies.
     bool showsImages() const;
+    bool refracts() const { return std::holds_alternative<Dielectric>(optics); }
 };
 
 /// Moves a shape by cos·cos(rate t) + sin·sin(rate t) from where it rests, and by all that `around` has moved too: the

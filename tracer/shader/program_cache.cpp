@@ -2,6 +2,9 @@
 
 #include "tracer/clock.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace gnomon {
 namespace {
 
@@ -27,24 +30,40 @@ void bindInterface(const CachedProgram& entry) {
     program.bindSampler("picture", kPictureUnit);
 }
 
+/// Its context is not gone with it.
+bool isThere(const CachedProgram& entry) { return entry.program || entry.state == CompileState::Failed; }
+
 } // namespace
 
-GlslTarget targetOf(const gl::Info& info) {
-    return {info.maxUniformBlockSize / int(sizeof(glm::vec4)), info.essl300, gl::drawnByProcessor(info.renderer),
-            gl::drawnBySwiftShader(info.renderer), int(info.maxPointSize), info.floatTargets};
+void ProgramCache::setOverrides(std::span<const ShaderFile> overrides) {
+    overrides_.assign(overrides.begin(), overrides.end());
+    planned_.clear(); // they come to other sources now
 }
 
-std::shared_ptr<CachedProgram> ProgramCache::get(const Features& features, Problems& problems, std::string_view pass) {
+std::shared_ptr<CachedProgram> ProgramCache::get(const Plan& plan, Problems& problems, std::string_view pass) {
+    Plan key = sourceKeyOf(plan);
+    const auto known = std::find_if(planned_.begin(), planned_.end(),
+                                    [&](const Planned& one) { return one.pass == pass && one.key == key; });
+    if (known != planned_.end() && isThere(*known->program)) return known->program;
+    auto program = build(plan, pass, problems);
+    if (known != planned_.end())
+        known->program = program; // the old one went with its context
+    else if (program)
+        planned_.push_back({std::move(key), std::string(pass), program});
+    return program;
+}
+
+std::shared_ptr<CachedProgram> ProgramCache::build(const Plan& plan, std::string_view pass, Problems& problems) {
     const double start = monotonicSeconds();
     Problems faults;
-    ShaderSource source = buildShader(pass, features, faults, overrides_);
-    const ShaderSource canvas = buildCanvas(features, faults);
+    ShaderSource source = buildShader(pass, plan, faults, overrides_);
+    const ShaderSource canvas = buildCanvas(plan, faults);
     if (!faults.empty()) {
         problems.insert(problems.end(), faults.begin(), faults.end());
         return nullptr;
     }
     std::shared_ptr<CachedProgram>& entry = programs_[canvas.text + source.text];
-    if (entry && (entry->program || entry->state == CompileState::Failed)) return entry;
+    if (entry && isThere(*entry)) return entry;
     entry = std::make_shared<CachedProgram>();
     entry->stats.sourceBytes = source.text.size();
     entry->started = monotonicSeconds();

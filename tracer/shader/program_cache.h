@@ -1,8 +1,9 @@
-/// Compiled programs by their source: each is built once, in the background where the GL can, and kept.
+/// Compiled programs by their plan: each is built once, in the background where the GL can, and kept. A plan that was
+/// asked for before generates no source; plans that come to the same source share its program.
 #pragma once
 
 #include "tracer/gl/objects.h"
-#include "tracer/plan/features.h"
+#include "tracer/plan/plan.h"
 #include "tracer/shader/program_stats.h"
 #include "tracer/shader/shader_builder.h"
 
@@ -20,9 +21,6 @@ namespace gnomon {
 inline constexpr GLuint kFrameBinding = 0, kSceneBinding = 1;
 inline constexpr int kDataUnit = 0, kSkyUnit = 1, kPaintUnit = 2, kNormalUnit = 3, kCoverageUnit = 4,
                      kPictureUnit = 5;
-
-/// What shaders are written for where the GL is this one.
-GlslTarget targetOf(const gl::Info&);
 
 enum class CompileState { Compiling, Ready, Failed };
 
@@ -43,21 +41,30 @@ class ProgramCache {
         : pollable_(pollable), overrides_(overrides.begin(), overrides.end()) {}
 
     /// Other overrides for the programs to come; those there are stay.
-    void setOverrides(std::span<const ShaderFile> overrides) { overrides_.assign(overrides.begin(), overrides.end()); }
+    void setOverrides(std::span<const ShaderFile>);
 
     /// Some files are not the library's.
     bool overridden() const { return !overrides_.empty(); }
 
-    /// The program for the features, begun where it is new. Null, with problems, where the library itself is at fault.
-    std::shared_ptr<CachedProgram> get(const Features&, Problems&, std::string_view pass = "pass/trace.frag");
+    /// The program for the plan, begun where it is new. Null, with problems, where the library itself is at fault.
+    std::shared_ptr<CachedProgram> get(const Plan&, Problems&, std::string_view pass = "pass/trace.frag");
 
     /// Lets the program go on. `warmUp` draws one pixel with it: some drivers compile at the first draw, not at link.
     CompileState poll(CachedProgram&, const std::function<void()>& warmUp, Problems&);
 
   private:
+    struct Planned {
+        Plan key; ///< sourceKeyOf()
+        std::string pass;
+        std::shared_ptr<CachedProgram> program;
+    };
+
+    std::shared_ptr<CachedProgram> build(const Plan&, std::string_view pass, Problems&);
+
     bool pollable_;
     std::vector<ShaderFile> overrides_;
-    std::map<std::string, std::shared_ptr<CachedProgram>> programs_; // by the text of both shaders
+    std::vector<Planned> planned_;                                   ///< with the overrides there are
+    std::map<std::string, std::shared_ptr<CachedProgram>> programs_; ///< by the text of both shaders
 };
 
 } // namespace gnomon

@@ -1,11 +1,13 @@
 #include "tracer/shader/shader_builder.h"
 
-#include "tracer/plan/scene_packer.h"
+#include "tracer/plan/shape_texels.h"
 #include "tracer/shader/condition.h"
 #include "tracer/shader/library.h"
+#include "tracer/shader/scene_constants.h"
 #include "tracer/shader/solid_source.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cctype>
 #include <charconv>
 #include <map>
@@ -13,6 +15,8 @@
 
 namespace gnomon {
 namespace {
+
+std::atomic<int> built = 0;
 
 /// What the directives of the library can ask about.
 struct Names {
@@ -79,7 +83,8 @@ void addNearest(const KindCount& kind, Names& names) {
     names.values["NEARBY"] |= int(nearby && kind.casters > 0);
 }
 
-Names namesOf(const Features& f) {
+Names namesOf(const Plan& plan) {
+    const SceneFeatures& f = plan.scene;
     Names names;
     names.values = {
         {"REFLECTION", f.reflection},
@@ -93,13 +98,13 @@ Names namesOf(const Features& f) {
         {"LIGHTS", f.lights},
         {"GLOWS", f.glows},
         {"DATA_BLOCK", f.dataBlock},
-        {"ITERATIONS_COUNTED", f.iterationsCounted},
-        {"PRELOADS", f.preloads},
-        {"CACHED_LOADS", f.cachedLoads},
-        {"FALLBACK", f.fallsBack},
-        {"TILES", f.tile > 0},
-        {"FLOAT_TARGETS", f.floatTargets},
-        {"COVERAGE_MASK", f.coverageMask},
+        {"ITERATIONS_COUNTED", plan.target.iterationsCounted},
+        {"PRELOADS", plan.target.preloads},
+        {"CACHED_LOADS", plan.target.cachedLoads},
+        {"FALLBACK", plan.split.fallback},
+        {"TILES", plan.split.tile > 0},
+        {"FLOAT_TARGETS", plan.target.floatTargets},
+        {"COVERAGE_MASK", plan.split.coverageMask},
         {"SHADOWS", f.shadows != ShadowModel::Off},
         {"SHADOW_RAYS", shadowRow(f.shadows).rays},
         {"SHADOWS_IN_TREE", f.shadows == ShadowModel::Hard},
@@ -124,17 +129,18 @@ Names namesOf(const Features& f) {
         {"GRID", int(Search::Grid)},
     };
     // Of any kind: none in a program that is left with no kind to ask.
-    for (const char* name : {"SEARCHES", "LATTICES", "UNIFORM_GRIDS", "HIERARCHIES", "ESTIMATED_CASTERS", "MARCHED_CASTERS",
-                             "SPHERE_LATTICES", "NEARBY", "TRIANGLES"})
+    for (const char* name : {"SEARCHES", "LATTICES", "UNIFORM_GRIDS", "HIERARCHIES", "ESTIMATED_CASTERS",
+                             "MARCHED_CASTERS", "SPHERE_LATTICES", "NEARBY", "TRIANGLES"})
         names.values[name] = 0;
     // Solids have shapes for parts that the scene has no object of.
-    for (const ShapeRow& row : shapeTable()) names.values[mapped(std::string(row.type), std::toupper) + "_IMAGES"] = 0;
+    for (const ShapeRow& row : shapeTable()) names.values[mapped(glslTypeOf(row.kind), std::toupper) + "_IMAGES"] = 0;
     auto& shapes = names.lists["SHAPES"];
     auto& casters = names.lists["CASTERS"];
-    auto& rare = names.lists["UNCOMMON"];
-    for (const KindCount& kind : f.shapes) {
-        if (f.fallsBack && kind.uncommon) {
-            rare.push_back(kind.type());
+    auto& uncommon = names.lists["UNCOMMON"];
+    for (std::size_t k = 0; k < f.shapes.size(); ++k) {
+        const KindCount& kind = f.shapes[k];
+        if (plan.split.fallback && plan.split.kind(k).shape) {
+            uncommon.push_back(kind.type());
             continue;
         }
         shapes.push_back(kind.type());
@@ -199,9 +205,9 @@ Lines linesOf(std::string_view file, std::string_view text) {
 
 class Builder {
   public:
-    Builder(const Features& features, Problems& problems, std::span<const ShaderFile> overrides = {})
-        : names_(namesOf(features)), overrides_(overrides), problems_(problems) {
-        for (const KindCount& kind : features.shapes)
+    Builder(const Plan& plan, Problems& problems, std::span<const ShaderFile> overrides = {})
+        : names_(namesOf(plan)), overrides_(overrides), problems_(problems) {
+        for (const KindCount& kind : plan.scene.shapes)
             if (kind.solid)
                 solids_["primitive/" + mapped(kind.type(), std::tolower) + ".glsl"] = {
                     kind.type(), solidSource(*kind.solid, kind.type()), false};
@@ -367,8 +373,8 @@ class Builder {
 
 /// The only text that differs between the hosts. lowp and mediump ruin pictures and speed on some drivers: all is
 /// highp.
-void addPrelude(Builder& builder, const Features& features) {
-    builder.generate(features.es300 ? "#version 300 es" : "#version 330 core");
+void addPrelude(Builder& builder, const CodegenTarget& target) {
+    builder.generate(target.es300 ? "#version 300 es" : "#version 330 core");
     for (const char* type : {"float", "int", "sampler2D", "sampler2DArray", "samplerCube"})
         builder.generate("precision highp " + std::string(type) + ";");
 }
@@ -389,19 +395,24 @@ int loggedLine(std::string_view log) {
 
 } // namespace
 
-ShaderSource buildShader(std::string_view pass, const Features& features, Problems& problems,
+ShaderSource buildShader(std::string_view pass, const Plan& plan, Problems& problems,
                          std::span<const ShaderFile> overrides) {
-    Builder builder(features, problems, overrides);
-    addPrelude(builder, features);
-    for (const auto& [name, value] : constantsOf(features)) addConstant(builder, name, value);
+    ++built;
+    if (const std::string found = contradictionIn(plan); !found.empty())
+        problems.push_back({"shaders", 0, {}, "the plan contradicts itself: " + found, {}});
+    Builder builder(plan, problems, overrides);
+    addPrelude(builder, plan.target);
+    for (const auto& [name, value] : constantsOf(plan.scene)) addConstant(builder, name, value);
     builder.include(pass);
     return builder.take();
 }
 
-ShaderSource buildCanvas(const Features& features, Problems& problems) {
-    Builder builder(features, problems);
-    addPrelude(builder, features);
-    if (features.tile > 0) addConstant(builder, "kTile", features.tile);
+int builtShaders() { return built; }
+
+ShaderSource buildCanvas(const Plan& plan, Problems& problems) {
+    Builder builder(plan, problems);
+    addPrelude(builder, plan.target);
+    if (plan.split.tile > 0) addConstant(builder, "kTile", plan.split.tile);
     builder.include("pass/canvas.vert");
     return builder.take();
 }

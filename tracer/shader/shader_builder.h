@@ -1,4 +1,4 @@
-/// Specialises the shader library: one text that holds only what the features need, and a map from its lines to files.
+/// Specialises the shader library: one text that holds only what the plan needs, and a map from its lines to files.
 ///
 /// The library is GLSL with four directives that the builder resolves, so that the result has no trace of what is left
 /// out:
@@ -9,8 +9,8 @@
 /// Other preprocessor lines are not used in the library.
 #pragma once
 
+#include "tracer/plan/plan.h"
 #include "tracer/problem.h"
-#include "tracer/plan/features.h"
 #include "tracer/shader/library.h"
 
 #include <span>
@@ -33,9 +33,11 @@ struct ShaderSource {
 
 /// The fragment shader of entry point `pass`, as `pass/trace.frag`. `overrides` take the place of the library's files
 /// of the same name, one that the library does not have is a problem; their names and texts must outlive the source.
-ShaderSource buildShader(std::string_view pass, const Features&, Problems&, std::span<const ShaderFile> overrides = {});
+ShaderSource buildShader(std::string_view pass, const Plan&, Problems&, std::span<const ShaderFile> overrides = {});
+/// Shaders that this process has built: a test holds it against the plans that it has made.
+int builtShaders();
 /// The vertex shader that covers the canvas, or what is left of it.
-ShaderSource buildCanvas(const Features&, Problems&);
+ShaderSource buildCanvas(const Plan&, Problems&);
 
 /// A driver's compile log with its line numbers (`0:12(3):`, `ERROR: 0:12:`, `0(12) :`) turned into file and line of
 /// the library; lines without a number are kept as they are.

@@ -1,58 +1,13 @@
 #include "tracer/shader/solid_source.h"
 
+#include "tracer/plan/shape_texels.h"
+#include "tracer/plan/solid_texels.h"
+
 #include <algorithm>
 #include <set>
 
 namespace gnomon {
 namespace {
-
-/// Texels of a node itself, without its parts.
-int ownTexels(const SolidNode& node) {
-    switch (node.op) {
-    case SolidOp::Shape: return shapeRow(node.shape.kind).texels;
-    case SolidOp::SmoothUnion:
-    case SolidOp::Offset: return 1;
-    case SolidOp::Transform: return 2;
-    case SolidOp::Repetition: return 3;
-    default: return 0;
-    }
-}
-
-int texelsBelow(const SolidNode& node) {
-    int texels = ownTexels(node);
-    for (const SolidNode& part : node.of) texels += texelsBelow(part);
-    return texels;
-}
-
-/// `home` is what the node's coordinates become relative to.
-void append(const SolidNode& node, glm::dvec3 home, std::vector<glm::vec4>& out) {
-    switch (node.op) {
-    case SolidOp::Shape: {
-        const Shape shape = translated(node.shape, -home);
-        for (int i = 0; i < shapeRow(shape.kind).texels; ++i) out.emplace_back(shape.texels[std::size_t(i)]);
-        break;
-    }
-    case SolidOp::SmoothUnion:
-    case SolidOp::Offset: out.emplace_back(glm::vec4(float(node.amount), 0, 0, 0)); break;
-    case SolidOp::Transform:
-        out.emplace_back(node.rotate.x, node.rotate.y, node.rotate.z, node.rotate.w);
-        out.emplace_back(glm::dvec4(node.translate - home, node.scale));
-        home = glm::dvec3(0);
-        break;
-    case SolidOp::Repetition: {
-        // Copies are told from the middle of the first, so that the nearest one is found by rounding.
-        const Extent first = extentOf(node.of[0]).value();
-        const glm::dvec3 middle = 0.5 * (first.low + first.high);
-        out.emplace_back(glm::dvec4(node.period, 0));
-        out.emplace_back(glm::dvec4(node.count, 0));
-        out.emplace_back(glm::dvec4(middle - home, 0));
-        home = middle;
-        break;
-    }
-    default: break;
-    }
-    for (const SolidNode& part : node.of) append(part, home, out);
-}
 
 std::string_view joinOf(SolidOp op) {
     switch (op) {
@@ -91,7 +46,7 @@ class Writer {
     void line(const std::string& text) { code_ += "    " + text + "\n"; }
 
     void writeShape(const SolidNode& node, int own, const std::string& point, const std::string& distance) {
-        const std::string type(shapeRow(node.shape.kind).type), shape = "s" + distance.substr(1);
+        const std::string type = glslTypeOf(node.shape.kind), shape = "s" + distance.substr(1);
         line(type + " " + shape + " = load" + type + "(at + " + std::to_string(own) + ");");
         // A plane's normal points away from the half space that it is here.
         const bool plane = node.shape.kind == ShapeKind::Plane;
@@ -144,13 +99,6 @@ void collectKinds(const SolidNode& node, std::set<ShapeKind>& kinds) {
 }
 
 } // namespace
-
-int texelsOf(const Solid& solid) { return 1 + texelsBelow(solid.root); }
-
-void appendTexels(const Shape& shape, std::vector<glm::vec4>& out) {
-    out.emplace_back(shape.texels[0]);
-    append(shape.solid->root, shape.home, out);
-}
 
 bool estimated(const Solid& solid) {
     std::set<ShapeKind> kinds;

@@ -1,21 +1,11 @@
-/// A solid's tree as GLSL, and its numbers as the texels that this GLSL reads.
+/// A solid's tree as GLSL. It reads the texels of tracer/plan/solid_texels.h.
 #pragma once
 
 #include "tracer/scene/solid.h"
 
-#include <glm/glm.hpp>
-
 #include <string>
-#include <vector>
 
 namespace gnomon {
-
-/// Texels that a solid takes: its ball, then the numbers of its parts as the tree is walked.
-int texelsOf(const Solid&);
-
-/// Appends them. Parts are told relative to the ball's middle, so that solids keep float32's digits wherever they
-/// stand.
-void appendTexels(const Shape& solid, std::vector<glm::vec4>&);
 
 /// Whether some part only estimates its distance, and has no gradient of its own.
 bool estimated(const Solid&);

@@ -1,44 +1,48 @@
 #include "tracer/software/uncommon_features.h"
 
 #include "tracer/accel/bounds.h"
-#include "tracer/plan/layout.h"
 #include "tracer/plan/camera.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace gnomon {
 namespace {
 
-/// Of the picture: what covers less is rare. Mirrors show it once more.
+/// Of the picture: what covers less is uncommon. Mirrors show it once more.
 constexpr double kUncommon = 1.0 / 8;
-/// Balls that the usual program tests one by one.
-constexpr int kMostBalls = 4;
+/// Bounding spheres that the base variant tests one by one.
+constexpr int kMostSpheres = 4;
 constexpr double kAspect = 4.0 / 3; // of a usual canvas
+/// Of more objects the screen is not partitioned: that would take its time each frame.
+constexpr int kMostPartitioned = 1024;
 
-/// The share of the picture that the ball about a shape takes, wherever the camera looks.
-double coverOf(const Shape& shape, const CameraFrame& camera) {
+/// The fraction of the picture that the bounding sphere of a shape takes, wherever the camera looks.
+double coverOf(const Shape& shape, glm::dvec3 eye, double halfHeight) {
     const auto bounds = boundsOf(shape);
     if (!bounds) return 1;
     const glm::dvec3 low(bounds->low), high(bounds->high);
     const double radius = shape.kind == ShapeKind::Sphere ? lengthOf(shape, "radius") : 0.5 * glm::distance(low, high);
-    const double away = glm::distance(camera.eye, 0.5 * (low + high));
-    if (away <= radius) return 1;
-    const double tangent = radius / std::sqrt((away - radius) * (away + radius)) / camera.halfHeight;
+    const double distance = glm::distance(eye, 0.5 * (low + high));
+    if (distance <= radius) return 1;
+    const double tangent = radius / std::sqrt((distance - radius) * (distance + radius)) / halfHeight;
     return std::min(1.0, std::numbers::pi * tangent * tangent / (4 * kAspect));
 }
 
-/// Objects of a scene as they rest, and how much of the picture each takes.
+/// Objects of a scene at rest, and how much of the picture each takes.
 class Covers {
   public:
-    explicit Covers(const Scene& scene) : scene_(scene) {
-        const CameraFrame camera = frameOf(scene.camera);
-        for (const Shape& shape : shapesAt(scene, 0)) covers_.push_back(coverOf(shape, camera));
+    explicit Covers(const PreparedScene& prepared) : scene_(prepared.scene) {
+        const CameraFrame camera = frameOf(scene_.camera);
+        for (const Shape& shape : prepared.shapes)
+            covers_.push_back(coverOf(shape, camera.eye - prepared.origin, camera.halfHeight));
     }
 
     /// There are some, and together they take little.
-    bool uncommon(const std::vector<int>& objects, bool (*which)(const Material&)) const {
+    template<class Which>
+    bool uncommon(const std::vector<int>& objects, Which which) const {
         double sum = 0;
         for (const int i : objects)
             if (which(scene_.materials[std::size_t(scene_.objects[std::size_t(i)].material)]))
@@ -51,51 +55,80 @@ class Covers {
     std::vector<double> covers_;
 };
 
-bool refracts(const Material& material) { return std::holds_alternative<Dielectric>(material.optics); }
+void markUncommon(const PreparedScene& prepared, Plan& plan) {
+    const Covers covers(prepared);
+    std::vector<int> all(prepared.scene.objects.size());
+    std::iota(all.begin(), all.end(), 0);
+    const SceneFeatures& scene = plan.scene;
+    ScreenSplit& split = plan.split;
+    split.refraction = scene.refraction && covers.uncommon(all, [](const Material& m) { return m.refracts(); });
+    split.normalMaps =
+        scene.normalMaps > 0 && covers.uncommon(all, [](const Material& m) { return m.normalMap.has_value(); });
+    for (std::size_t k = 0; k < scene.shapes.size(); ++k) {
+        const KindCount& kind = scene.shapes[k];
+        const std::vector<int>& objects = prepared.layout[k].objects;
+        const bool fewExpensive = shapeRow(kind.kind).expensive && kind.count <= kMostSpheres;
+        split.kinds.push_back(
+            {fewExpensive && covers.uncommon(objects, [](const Material&) { return true; }),
+             kind.images && covers.uncommon(objects, [](const Material& m) { return m.showsImages(); })});
+    }
+}
 
 } // namespace
 
-void markUncommon(const Scene& scene, Features& features) {
-    const std::vector<KindLayout> layout = layoutOf(scene);
-    const Covers covers(scene);
-    std::vector<int> all;
-    for (std::size_t i = 0; i < scene.objects.size(); ++i) all.push_back(int(i));
-    features.refractionUncommon = features.refraction && covers.uncommon(all, refracts);
-    features.normalMapsUncommon =
-        features.normalMaps > 0 && covers.uncommon(all, [](const Material& m) { return m.normalMap.has_value(); });
-    for (std::size_t k = 0; k < layout.size(); ++k) {
-        KindCount& kind = features.shapes[k];
-        kind.imagesUncommon =
-            kind.images && covers.uncommon(layout[k].objects, [](const Material& m) { return m.showsImages(); });
-        kind.uncommon = shapeRow(kind.kind).expensive && kind.count <= kMostBalls &&
-                    covers.uncommon(layout[k].objects, [](const Material&) { return true; });
-    }
+Plan splitScreen(Plan plan, const PreparedScene& prepared, const Settings& settings) {
+    const bool wanted = settings.parts == Parts::On || (settings.parts == Parts::Auto && plan.target.split);
+    plan.split.on = wanted && plan.scene.output == Aov::Color && plan.scene.objects() <= kMostPartitioned;
+    // Other shadows ask all casters at once.
+    const bool rays = plan.scene.shadows == ShadowModel::Off || plan.scene.shadows == ShadowModel::Hard;
+    if (plan.split.on && rays && plan.target.fallback) markUncommon(prepared, plan);
+    if (plan.split.anyUncommon()) plan.split.tile = plan.target.tile;
+    return plan;
 }
 
-bool anyUncommon(const Features& features) {
-    return features.refractionUncommon || features.normalMapsUncommon ||
-           std::any_of(features.shapes.begin(), features.shapes.end(),
-                       [](const KindCount& kind) { return kind.uncommon || kind.imagesUncommon; });
+Plan splitPlanOf(const PreparedScene& prepared, const Settings& settings, const CodegenTarget& target) {
+    return splitScreen(planOf(prepared, settings, target), prepared, settings);
 }
 
-Features baseOf(Features features) {
-    features.fallsBack = true;
-    features.tile = 0;
-    features.refraction = features.refraction && !features.refractionUncommon;
-    features.reflection = features.conductors || features.coats || features.refraction;
-    if (features.normalMapsUncommon) features.normalMaps = 0;
+Plan baseOf(Plan plan) {
+    SceneFeatures& scene = plan.scene;
+    ScreenSplit& split = plan.split;
+    if (!split.anyUncommon()) return plan;
+    split.fallback = true;
+    split.coverageMask = split.tile > 0;
+    split.tile = 0;
+    scene.refraction = scene.refraction && !split.refraction;
+    scene.reflection = scene.conductors || scene.coats || scene.refraction;
+    if (split.normalMaps) scene.normalMaps = 0;
     bool images = false;
-    for (KindCount& kind : features.shapes) {
-        kind.images = kind.images && !kind.imagesUncommon && !kind.uncommon;
+    for (std::size_t k = 0; k < scene.shapes.size(); ++k) {
+        KindCount& kind = scene.shapes[k];
+        kind.images = kind.images && !split.kind(k).images && !split.kind(k).shape;
         images |= kind.images;
     }
-    if (!images) features.paints = features.normalMaps = 0;
-    return features;
+    if (!images) scene.paints = scene.normalMaps = 0;
+    return plan;
 }
 
-bool fallsBack(const Features& features, const KindCount& kind, const Material& material) {
-    return kind.uncommon || (features.refractionUncommon && refracts(material)) ||
-           (features.normalMapsUncommon && material.normalMap) || (kind.imagesUncommon && material.showsImages());
+Plan skyOf(Plan plan) {
+    plan.split.coverageMask = plan.split.tile > 0;
+    plan.split.tile = 0;
+    return plan;
+}
+
+std::vector<ScreenBounds> screenBoundsOf(const PreparedScene& prepared, const Plan& plan,
+                                         std::span<const Shape> shapes) {
+    const Scene& scene = prepared.scene;
+    std::vector<ScreenBounds> all;
+    for (std::size_t k = 0; k < prepared.layout.size(); ++k)
+        for (const int i : prepared.layout[k].objects) {
+            const Shape& shape = shapes[std::size_t(i)];
+            const Material& material = scene.materials[std::size_t(scene.objects[std::size_t(i)].material)];
+            ScreenBounds bounds{{}, shape.kind == ShapeKind::Sphere, plan.split.fallsBack(k, material)};
+            if (prepared.layout[k].kind != ShapeKind::LargeSphere) bounds.bounds = boundsOf(shape); // that has no end
+            all.push_back(bounds);
+        }
+    return all;
 }
 
 } // namespace gnomon

@@ -47,39 +47,29 @@ bool isReady(const std::shared_ptr<CachedProgram>& program) {
 
 } // namespace
 
-VariantPrograms::VariantPrograms(const Features& features, ProgramCache& cache, Problems& problems)
-    : features_(features), full_(cache.get(features, problems)) {
-    if (!canDraw() || !features.parted || !beginVariants(cache, problems)) return;
+VariantPrograms::VariantPrograms(const Plan& plan, ProgramCache& cache, Problems& problems)
+    : plan_(plan), full_(cache.get(plan, problems)) {
+    if (!canDraw() || !plan.split.on || !beginVariants(cache, problems)) return;
     split_ = isReady(sky_) && (!base_ || isReady(base_));
 }
 
-bool VariantPrograms::fallsBack() const { return features_.parted && anyUncommon(features_); }
+bool VariantPrograms::fallsBack() const { return plan_.split.anyUncommon(); }
 
 Coverage::Kind VariantPrograms::coverage() const {
     if (!fallsBack()) return Coverage::Kind::None;
-    return features_.tile > 0 ? Coverage::Kind::Mask : Coverage::Kind::Stencil;
+    return plan_.split.tile > 0 ? Coverage::Kind::Mask : Coverage::Kind::Stencil;
 }
 
 bool VariantPrograms::beginVariants(ProgramCache& cache, Problems& problems) {
-    const bool mask = coverage() == Coverage::Kind::Mask;
-    if (!sky_) {
-        Features sky = features_;
-        sky.tile = 0;
-        sky.coverageMask = mask;
-        sky_ = cache.get(sky, problems, "pass/sky.frag");
-    }
-    if (!base_ && fallsBack()) {
-        Features base = baseOf(features_);
-        base.coverageMask = mask;
-        base_ = cache.get(base, problems);
-    }
+    if (!sky_) sky_ = cache.get(skyOf(plan_), problems, "pass/sky.frag");
+    if (!base_ && fallsBack()) base_ = cache.get(baseOf(plan_), problems);
     return sky_ && (base_ || !fallsBack());
 }
 
 CompileState VariantPrograms::poll(ProgramCache& cache, const WarmUp& warmUp, Problems& problems) {
     const CompileState state = cache.poll(
         *full_, [&] { warmUp(*full_); }, problems);
-    if (state != CompileState::Ready || !features_.parted) return state;
+    if (state != CompileState::Ready || !plan_.split.on) return state;
     return pollVariants(cache, warmUp, problems);
 }
 
@@ -97,7 +87,7 @@ CompileState VariantPrograms::pollVariants(ProgramCache& cache, const WarmUp& wa
 }
 
 double VariantPrograms::compiled() const {
-    const int wanted = 1 + features_.parted + fallsBack();
+    const int wanted = 1 + plan_.split.on + fallsBack();
     return double(isReady(full_) + isReady(sky_) + isReady(base_)) / wanted;
 }
 
@@ -128,7 +118,7 @@ void VariantPrograms::draw(const gl::Target& target, const Coverage& coverage, c
     if (base_) drawIn(*base_, partition.base, band);
     if (coverage.kind() == Coverage::Kind::Mask) {
         coverage.end(target);
-        drawTiles(*full_, features_.tile, target, coverage, band);
+        drawTiles(*full_, plan_.split.tile, target, coverage, band);
     } else {
         drawIn(*full_, partition.base, band); // what is left of them
         drawIn(*full_, partition.uncommon, band);

@@ -1,6 +1,6 @@
 /// The programs that draw one linear picture: the full one, and where a software rasteriser draws, beside it variants that draw
 /// what they can of it at less cost (tracer/software/uncommon_features.h). The full one draws alone until they are ready, and
-/// wherever the features have no variants.
+/// wherever the plan has no variants.
 #pragma once
 
 #include "tracer/shader/program_cache.h"
@@ -18,14 +18,14 @@ class VariantPrograms {
 
     VariantPrograms() = default;
     /// Begins to build the full one, where it is new; variants follow when it is ready.
-    VariantPrograms(const Features&, ProgramCache&, Problems&);
+    VariantPrograms(const Plan&, ProgramCache&, Problems&);
 
     /// The library had a full one for the features, well or badly written.
     bool began() const { return full_ != nullptr; }
     /// There is something to draw with, soon or now: not where its context is gone.
     explicit operator bool() const { return began() && full_->program; }
     const CachedProgram& full() const { return *full_; }
-    const Features& features() const { return features_; }
+    const Plan& plan() const { return plan_; }
     bool canDraw() const { return *this && full_->state == CompileState::Ready; }
     /// Variants draw, too.
     bool split() const { return split_; }
@@ -51,7 +51,7 @@ class VariantPrograms {
     bool beginVariants(ProgramCache&, Problems&);
     CompileState pollVariants(ProgramCache&, const WarmUp&, Problems&);
 
-    Features features_;
+    Plan plan_;
     std::shared_ptr<CachedProgram> full_, sky_, base_;
     bool split_ = false;
 };

@@ -8,8 +8,7 @@ namespace {
 /// The lowest `rows` of the picture, into the framebuffer.
 void drawRows(const Drawing& drawing, const TracePass& traced, int rows, bool shown, Frame& frame, GLuint framebuffer) {
     const View& view = traced.view();
-    const GpuScene& scene = *drawing.scene;
-    frame.block.upload(frameUniforms(view, scene.scene(), scene.origin(), drawing.settings, shown));
+    frame.block.upload(frameUniforms(view, drawing.scene->prepared(), drawing.settings, shown));
     glActiveTexture(GL_TEXTURE0 + kPictureUnit);
     glBindTexture(GL_TEXTURE_2D, traced.picture().color.get());
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);

@@ -1,0 +1,87 @@
+#include "tracer/plan/plan.h"
+
+#include "tracer/plan/scene_offsets.h"
+#include "tracer/plan/search_choice.h"
+
+#include <algorithm>
+
+namespace gnomon {
+namespace {
+
+void addMaterial(const Material& material, const TextureSet& textureSet, const Settings& settings,
+                 SceneFeatures& features) {
+    features.coats |= std::holds_alternative<Coat>(material.optics);
+    features.conductors |= std::holds_alternative<Conductor>(material.optics);
+    features.refraction |= material.refracts();
+    if (textureSet.paintOf(material) >= 0) features.paints = int(textureSet.paints.size());
+    if (material.normalMap && settings.normalMaps) features.normalMaps = int(textureSet.normals.size());
+}
+
+/// Of those materials that objects are of.
+void addMaterials(const PreparedScene& prepared, const Settings& settings, SceneFeatures& features) {
+    const Scene& scene = prepared.scene;
+    std::vector<bool> used(scene.materials.size(), false);
+    for (const Object& object : scene.objects) used[std::size_t(object.material)] = true;
+    for (std::size_t i = 0; i < used.size(); ++i)
+        if (used[i]) addMaterial(scene.materials[i], prepared.textureSet, settings, features);
+    features.reflection = features.conductors || features.refraction || features.coats;
+}
+
+void addLight(const Scene& scene, const Settings& settings, SceneFeatures& features) {
+    features.lights = int(scene.lights.size());
+    features.shadows = features.lights > 0 ? settings.shadows : ShadowModel::Off;
+    features.fromLight = features.shadows != ShadowModel::Off && settings.coneOrigin == ConeOrigin::Light;
+    const auto count = [&](auto which) { return std::count_if(scene.objects.begin(), scene.objects.end(), which); };
+    if (settings.glow) features.glows = int(count([](const Object& o) { return o.glow.has_value(); }));
+    const bool solids = count([](const Object& o) { return o.shape.solid != nullptr; }) > 0;
+    features.distances = solids || shadowRow(features.shadows).distances;
+}
+
+/// Grids have long lists: they are for what lies in a texture. Searches by distance know none.
+void chooseData(const PreparedScene& prepared, const Settings& settings, const CodegenTarget& target,
+                SceneFeatures& features) {
+    const bool blockIsBest = settings.data == DataPath::Auto && !target.textureBest;
+    const bool mayBeBlock = blockIsBest || settings.data == DataPath::Block;
+    features.shapes = countKinds(prepared, settings.accel, !mayBeBlock && !features.distances);
+    features.dataBlock =
+        settings.data == DataPath::Block || (blockIsBest && sceneTexels(features) <= target.blockTexels);
+    if (mayBeBlock && !features.dataBlock && !features.distances)
+        features.shapes = countKinds(prepared, settings.accel, true);
+}
+
+} // namespace
+
+Plan planOf(const PreparedScene& prepared, const Settings& settings, const CodegenTarget& target) {
+    Plan plan{{}, target, {}};
+    SceneFeatures& features = plan.scene;
+    features.output = settings.aov;
+    features.march = settings.march;
+    features.linear = prepared.scene.encoding == Encoding::Linear;
+    features.cubemap = !prepared.skyFaces.empty();
+    features.materials = int(prepared.scene.materials.size());
+    addMaterials(prepared, settings, features);
+    addLight(prepared.scene, settings, features);
+    chooseData(prepared, settings, target, features);
+    return plan;
+}
+
+bool planAlike(const Settings& a, const Settings& b) {
+    const auto rows = settingsTable();
+    return std::all_of(rows.begin(), rows.end(), [&](const SettingRow& row) {
+        return row.effect != Effect::Rebuild || textOf(row, a) == textOf(row, b);
+    });
+}
+
+Plan sourceKeyOf(Plan plan) {
+    const ScreenSplit split = plan.split;
+    plan.split = split.fallback ? split : ScreenSplit{.tile = split.tile, .coverageMask = split.coverageMask};
+    const CodegenTarget gpu;
+    plan.target.blockTexels = gpu.blockTexels;
+    plan.target.textureBest = gpu.textureBest;
+    plan.target.split = gpu.split;
+    plan.target.fallback = gpu.fallback;
+    plan.target.tile = gpu.tile;
+    return plan;
+}
+
+} // namespace gnomon
