@@ -55,7 +55,7 @@ struct Features {
     bool refractionUncommon = false, normalMapsUncommon = false; ///< few pixels meet them: the usual program does without
     bool fallsBack = false; ///< the usual program itself, which leaves pixels to the whole one
     int tile = 0; ///< side in pixels of the squares in which the whole one draws them; 0: where no depth is written
-    bool iterationsCounted = false; ///< by the loop of shadow rays, which ends by itself: shaders/ray/shadow_rays.glsl
+    bool iterationsCounted = false; ///< by the loop of shadow rays, which ends by itself: shaders/integrator/shadow_rays.glsl
     bool preloads = false;    ///< numbers at fixed places are read before all loops: shaders/software/preloads.glsl
     bool cachedLoads = false;         ///< they are held in variables instead: shaders/software/cached_loads.glsl
     bool es300 = true;         ///< prelude `#version 300 es`, else `330 core`
