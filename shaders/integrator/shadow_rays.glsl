@@ -7,6 +7,8 @@
 //
 // nearestPastShadows  adds the light that arrives, then meets the next ray as nearestHit() does. `ahead` says whether the tree's
 //                     ray is to be met; where it is not and none is pending, nothing is met and `ahead` stays false
+#include "software/light_position.glsl"
+
 struct ShadowRays {
     DirectLight direct;
     float side; // of the surface, on which they travel
@@ -18,14 +20,7 @@ Ray nextShadowRay(Ray ray, inout ShadowRays shadows, out float t, out vec3 added
     ++work.z;
 #endif
     int index = nextLight(shadows.direct, added);
-#if PRELOADS
-    vec3 position = vec3(0.0); // chosen among those that have been read
-    for (int i = 0; i < kLightCount; ++i)
-        if (i == index) position = loadLight(i).position;
-#else
-    vec3 position = loadLight(index).position;
-#endif
-    vec3 toLight = position - ray.origin;
+    vec3 toLight = lightPosition(index) - ray.origin;
     float distance = length(toLight);
     t = distance - ray.tMin;
     return Ray(ray.origin, toLight / distance, ray.tMin, ray.self, shadows.side);
@@ -52,9 +47,7 @@ int nearestPastShadows(inout uint trail, inout Ray ray, inout Path path, inout b
         if (shadow) asked = nextShadowRay(ray, shadows, t, added);
         object = nearestHit(asked, shadow, t);
         if (!shadow) break;
-#if FALLBACK
-        if (left) break;
-#endif
+        if (fallsBack()) break;
         if (object < 0) color += added;
         if (shadows.direct.counting == 0u && !ahead && !anyPending(trail)) break;
     }

@@ -83,10 +83,7 @@ vec3 radiance(Ray ray) {
 #else
         int object = nearestHit(ray, t);
 #endif
-#if FALLBACK
-        left = left || fallsBack(object);
-        if (left) break;
-#endif
+        if (fallsBack(object)) break;
         bool follow = false;
         bool again = retraced(trail, path.depth);
         vec3 throughput = again ? vec3(0.0) : path.throughput;

@@ -10,11 +10,7 @@
 #include "ray/primary.glsl"
 #include "pass/linear_picture.glsl"
 #include "ray/nearest.glsl"
-#if PRELOADS
-#include "software/preloads.glsl"
-#elif CACHED_LOADS
-#include "software/cached_loads.glsl"
-#endif
+#include "software/hooks.glsl"
 #if OUTPUT == COLOR || OUTPUT == WORK || OUTPUT == STEPS
 #include "integrator/whitted.glsl"
 #elif OUTPUT == VISIBILITY
@@ -80,17 +76,6 @@ vec4 pixel(Ray ray) {
 #endif
 
 void main() {
-#if CACHED_LOADS
-    cacheLoads();
-#endif
-#if PRELOADS
-    vec4 ahead = preload();
-    vec4 value = pixel(primaryRay());
-    store(frame.zero.x == 0u ? value : ahead);
-#else
-    store(pixel(primaryRay()));
-#endif
-#if FALLBACK
-    if (left) discard;
-#endif
+    beforePixel();
+    store(afterPixel(pixel(primaryRay())));
 }
