@@ -1,11 +1,11 @@
-// Searches for the objects of a kind that a ray may meet: those of its regular block by walking from cell to cell, the others
-// by a sieve, a hierarchy of boxes, or the lists of a grid's cells. Which a kind has is chosen by tracer/plan/features.h.
+// Searches for the objects of a kind that a ray may meet: those of its lattice by walking from cell to cell, the others by a
+// bounding-sphere mask, a hierarchy of boxes, or a uniform grid. Which a kind has is chosen by tracer/plan/features.h.
 //
 // start  begins the search of a ray
 // next   number of the next object in its kind that the ray may meet nearer than `t`, -1 at the end; each comes once, or once
 //        more from another cell of a grid. The object that the ray starts on always comes.
-// ended  that no other one will come, where the search can tell: wide SIMD is spared a turn that finds nothing
-// sieve  a bit for each loose object whose ball the ray does not pass by. The balls are read in a fixed order, all lanes of
+// ended  that no other one will come, where the search can tell: wide SIMD is spared an iteration that finds nothing
+// mask   a bit for each loose object whose ball the ray does not pass by. The balls are read in a fixed order, all lanes of
 //        a SIMD together: that costs less than the boxes that might spare some of them
 #include "ray/bits.glsl"
 #if HIERARCHIES
@@ -30,19 +30,14 @@ struct Search$Shape {
 #elif $SHAPE_SEARCH == GRID
     CellWalk cells;
 #else
-    uint sieve;
+    uint mask;
 #endif
 };
 
 Search$Shape start$Shape(Ray ray) {
     Search$Shape search;
 #if $SHAPE_LATTICE
-#if CACHED_LOADS
-    Grid lattice = cached$ShapeLattice;
-#else
-    Grid lattice = loadGrid(k$ShapeLattice);
-#endif
-    search.lattice = enterGrid(lattice, vec3(k$ShapeLatticeX, k$ShapeLatticeY, k$ShapeLatticeZ), ray);
+    search.lattice = enterGrid(lattice$Shape(), vec3(k$ShapeLatticeX, k$ShapeLatticeY, k$ShapeLatticeZ), ray);
 #endif
 #if $SHAPE_SEARCH == HIERARCHY
     search.boxes = quantisedRay(k$ShapeQuantisation, ray);
@@ -51,19 +46,14 @@ Search$Shape start$Shape(Ray ray) {
     search.cells = enterUniformGrid(k$ShapeGrid, vec3(k$ShapeGridX, k$ShapeGridY, k$ShapeGridZ), ray);
 #else
     int self = ray.self - k$ShapeFirst - k$ShapeLoose;
-    search.sieve = self >= 0 && self < k$ShapeCount - k$ShapeLoose ? 1u << uint(self) : 0u;
-    float stretch = paddedSquaredLength(ray);
+    search.mask = self >= 0 && self < k$ShapeCount - k$ShapeLoose ? 1u << uint(self) : 0u;
+    float padded = paddedSquaredLength(ray);
 #for Part in $SHAPE_SPHERE_MASK
     // Always true. Without it GPUs load all balls at once, and have no registers for so many.
     if (frame.zero.x == 0u) {
 #for Bit in $SHAPE_SPHERE_MASK_$PART
-#if CACHED_LOADS
-        vec4 ball$Bit = cached$ShapeBall$Bit;
-#else
-        vec4 ball$Bit = ball$Shape(load$Shape(k$ShapeBase + (k$ShapeLoose + $Bit) * k$ShapeTexels));
-#endif
-        bool passes$Bit = passesBy(ray, stretch, ball$Bit);
-        search.sieve |= passes$Bit ? 0u : 1u << $Bitu;
+        bool passes$Bit = passesBy(ray, padded, ball$Shape$Bit());
+        search.mask |= passes$Bit ? 0u : 1u << $Bitu;
 #endfor
     }
 #endfor
@@ -77,7 +67,7 @@ bool ended$Shape(Search$Shape search) {
 #elif $SHAPE_SEARCH == GRID
     bool ended = leftUniformGrid(vec3(k$ShapeGridX, k$ShapeGridY, k$ShapeGridZ), search.cells);
 #else
-    bool ended = search.sieve == 0u;
+    bool ended = search.mask == 0u;
 #endif
 #if $SHAPE_LATTICE
     ended = ended && leftGrid(vec3(k$ShapeLatticeX, k$ShapeLatticeY, k$ShapeLatticeZ), search.lattice);
@@ -99,14 +89,15 @@ int next$Shape(inout Search$Shape search, Ray ray, float t) {
         if (listed == self || !passesBy(ray, ball$Shape(load$Shape(k$ShapeBase + index * k$ShapeTexels)))) return index;
     }
 #else
-    if (search.sieve != 0u) {
-        int index = lowestBit(search.sieve);
-        search.sieve &= search.sieve - 1u;
+    if (search.mask != 0u) {
+        int index = lowestBit(search.mask);
+        search.mask &= search.mask - 1u;
         return k$ShapeLoose + index;
     }
 #endif
 #if $SHAPE_LATTICE
-    return nextInLattice(vec3(k$ShapeLatticeX, k$ShapeLatticeY, k$ShapeLatticeZ), ray, t, ray.self - k$ShapeFirst, search.lattice);
+    int own = ray.self - k$ShapeFirst;
+    return nextInLattice(vec3(k$ShapeLatticeX, k$ShapeLatticeY, k$ShapeLatticeZ), ray, t, own, search.lattice);
 #else
     return -1;
 #endif

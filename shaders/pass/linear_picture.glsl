@@ -1,15 +1,13 @@
 // The linear picture, as passes write it: four float32 a pixel, neither clamped nor encoded. A GL that cannot draw to float
 // textures (WebGL2 without EXT_color_buffer_float) keeps their bits in unsigned integers, which every GL can draw to.
 //
-// store   this pixel's value; where shader variants share a picture, it also marks the pixel in the coverage mask that
-//         pass/canvas.vert reads
+// store   this pixel's value
+#include "software/coverage_mask.glsl"
+
 #if FLOAT_TARGETS
 layout(location = 0) out vec4 outLinear;
 #else
 layout(location = 0) out uvec4 outLinear;
-#endif
-#if COVERAGE_MASK
-layout(location = 1) out vec4 outCovered;
 #endif
 
 void store(vec4 value) {
@@ -18,7 +16,5 @@ void store(vec4 value) {
 #else
     outLinear = floatBitsToUint(value);
 #endif
-#if COVERAGE_MASK
-    outCovered = vec4(1.0);
-#endif
+    markCovered();
 }

@@ -10,28 +10,9 @@
 #include "ray/primary.glsl"
 #include "pass/linear_picture.glsl"
 #include "ray/nearest.glsl"
-#if PRELOADS
-#include "software/preloads.glsl"
-#elif CACHED_LOADS
-#include "software/cached_loads.glsl"
-#endif
+#include "software/hooks.glsl"
 #if OUTPUT == COLOR || OUTPUT == WORK || OUTPUT == STEPS
-#if IMAGES
-#include "shade/images.glsl"
-#endif
-#include "shade/material.glsl"
-#include "shade/sky.glsl"
-#if GLOWS
-#include "shade/glow.glsl"
-#endif
-#if REFLECTION
-#include "shade/fresnel.glsl"
-#endif
-#if LIGHTS
-#include "shade/lights.glsl"
-#endif
-#include "shade/blinn_phong.glsl"
-#include "ray/tree.glsl"
+#include "integrator/whitted.glsl"
 #elif OUTPUT == VISIBILITY
 #if LIGHTS
 #include "shade/lights.glsl"
@@ -40,11 +21,11 @@
 #endif
 
 #if OUTPUT == COLOR
-vec4 pixel(Ray ray) { return vec4(traceTree(ray), 1.0); }
+vec4 pixel(Ray ray) { return vec4(radiance(ray), 1.0); }
 #elif OUTPUT == WORK
 // Boxes, objects and shadow rays that the colour of this pixel takes.
 vec4 pixel(Ray ray) {
-    vec3 color = traceTree(ray);
+    vec3 color = radiance(ray);
     vec3 counts = vec3(work);
     if (color.r < -1.0) counts.r = 0.0; // the colour is asked for, too: nothing of the work may be left out
     return vec4(counts, 1.0);
@@ -52,7 +33,7 @@ vec4 pixel(Ray ray) {
 #elif OUTPUT == STEPS
 // Evaluations of distances that the colour of this pixel takes.
 vec4 pixel(Ray ray) {
-    vec3 color = traceTree(ray);
+    vec3 color = radiance(ray);
     vec3 count = vec3(float(evaluations));
     if (color.r < -1.0) count.r = 0.0; // the colour is asked for, too: nothing of the work may be left out
     return vec4(count, 1.0);
@@ -85,7 +66,8 @@ vec4 pixel(Ray ray) {
 #if LIGHTS && SHADOWS
     Light light = loadLight(clamp(frame.light, 0, kLightCount - 1));
     float behind = dot(light.position - surface.point, surface.normal) * dot(ray.direction, surface.normal);
-    fraction = behind > 0.0 ? 0.0 : lightFraction(surface, object, light, frame.pixelAngle * t); // lit from behind: the surface itself is in the way
+    // Lit from behind, the surface itself is in the way.
+    fraction = behind > 0.0 ? 0.0 : lightFraction(surface, object, light, frame.pixelAngle * t);
 #endif
     return vec4(vec3(fraction), 1.0);
 #endif
@@ -94,17 +76,6 @@ vec4 pixel(Ray ray) {
 #endif
 
 void main() {
-#if CACHED_LOADS
-    cacheLoads();
-#endif
-#if PRELOADS
-    vec4 ahead = preload();
-    vec4 value = pixel(primaryRay());
-    store(frame.zero.x == 0u ? value : ahead);
-#else
-    store(pixel(primaryRay()));
-#endif
-#if FALLBACK
-    if (left) discard;
-#endif
+    beforePixel();
+    store(afterPixel(pixel(primaryRay())));
 }

@@ -60,12 +60,7 @@ vec3 loadMiddleOfTriangles() {
     return vec3(sceneTexel(kTriangleBase).w, sceneTexel(kTriangleBase + 1).w, sceneTexel(kTriangleBase + 2).w);
 }
 
-#if CACHED_LOADS
-vec3 heldMiddleOfTriangles; // by ray/held.glsl
-vec3 middleOfTriangles() { return heldMiddleOfTriangles; }
-#else
-vec3 middleOfTriangles() { return loadMiddleOfTriangles(); }
-#endif
+#include "software/middle_of_triangles.glsl"
 
 // How points are seen along a ray: along the axis where its direction is largest, and across it.
 struct Shear {

@@ -11,15 +11,11 @@ ivec3 work = ivec3(0);
 #for Shape in SHAPES
 #include "primitive/$shape.glsl"
 #endfor
-#if CACHED_LOADS
 #include "software/cached_loads.glsl"
-#endif
 #if SEARCHES
 #include "accel/search.glsl"
 #endif
-#if FALLBACK
 #include "software/fallback.glsl"
-#endif
 
 // Whether the ray meets object `index` of its kind nearer than t, which then is where.
 #for Shape in SHAPES
@@ -28,19 +24,15 @@ bool meets$Shape(int index, Ray ray, inout float t) {
     ++work.y;
 #endif
     float side = startSide(ray, k$ShapeFirst + index);
-#if CACHED_LOADS && $SHAPE_ALONE
-    return intersect$Shape(cached$Shape, ray, side, t);
-#else
-    return intersect$Shape(load$Shape(k$ShapeBase + index * k$ShapeTexels), ray, side, t);
-#endif
+    return intersect$Shape(object$Shape(index), ray, side, t);
 }
 #endfor
 
 // Object nearest along the ray and nearer than t, which then is its distance; -1 where there is none. For `shadow` the first
 // that is found among those that cast one.
 //
-// Software GL runs each loop's body at least once, and SwiftShader unrolls none: they are tested at their end, and one object has
-// none.
+// Wide SIMD runs each loop's body at least once, and not every compiler unrolls: loops are tested at their end, and one object
+// has none.
 int nearestHit(Ray ray, bool shadow, inout float t) {
     int nearest = -1;
 #for Shape in SHAPES
@@ -67,9 +59,7 @@ int nearestHit(Ray ray, bool shadow, inout float t) {
     } while (at$Shape < k$ShapeCount);
 #endif
 #endfor
-#if FALLBACK
-    left = left || (!(shadow && nearest >= 0) && mayMeetUncommon(ray, shadow, t));
-#endif
+    noteUncommon(ray, shadow, nearest, t);
     return nearest;
 }
 
@@ -90,12 +80,8 @@ bool occluded(Ray ray, float distance) {
 Surface surfaceAt(int object, Ray ray, float t) {
 #for Shape in SHAPES
     if (object < k$ShapeEnd) {
-#if CACHED_LOADS && $SHAPE_ALONE
-        return surface$Shape(cached$Shape, ray, t);
-#else
-        int index = k$ShapeCount == 1 ? 0 : object - k$ShapeFirst; // the one place is known before any pixel is drawn
-        return surface$Shape(load$Shape(k$ShapeBase + index * k$ShapeTexels), ray, t);
-#endif
+        int index = k$ShapeCount == 1 ? 0 : object - k$ShapeFirst; // the one index is known before any pixel is drawn
+        return surface$Shape(object$Shape(index), ray, t);
     }
 #endfor
     return bareSurface(vec3(0.0), vec3(0.0), 0.0);

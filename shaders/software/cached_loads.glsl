@@ -1,11 +1,15 @@
-// What is read at fixed places, read once before all loops and held in variables: for SwiftShader, whose compiler makes each
-// read anew, and each is a call that samples a texture. The library's own files do so; where one is overridden, none does.
+// Reads at fixed places: with CACHED_LOADS they are made once, before all loops, and kept in variables: for SwiftShader, whose
+// compiler makes each read anew, and each is a call that samples a texture.
 //
-// hold  reads them all; main() begins with it
+// object      record of an object of its kind
+// lattice     grid of the kind's lattice
+// ball        bounding sphere of the kind's object for one bit of its bounding-sphere mask
+// cacheLoads  reads them all
 #if LATTICES
 #include "accel/walk.glsl"
 #endif
 
+#if CACHED_LOADS
 #for Shape in SHAPES
 #if $SHAPE_ALONE
 $Shape cached$Shape;
@@ -22,7 +26,7 @@ vec4 cached$ShapeBall$Bit;
 
 void cacheLoads() {
 #if TRIANGLES
-    heldMiddleOfTriangles = loadMiddleOfTriangles();
+    cachedMiddleOfTriangles = loadMiddleOfTriangles();
 #endif
 #for Shape in SHAPES
 #if $SHAPE_ALONE
@@ -38,3 +42,28 @@ void cacheLoads() {
 #endfor
 #endfor
 }
+#endif
+
+#for Shape in SHAPES
+#if CACHED_LOADS && $SHAPE_ALONE
+$Shape object$Shape(int index) { return cached$Shape; }
+#else
+$Shape object$Shape(int index) { return load$Shape(k$ShapeBase + index * k$ShapeTexels); }
+#endif
+#if $SHAPE_LATTICE
+#if CACHED_LOADS
+Grid lattice$Shape() { return cached$ShapeLattice; }
+#else
+Grid lattice$Shape() { return loadGrid(k$ShapeLattice); }
+#endif
+#endif
+#for Part in $SHAPE_SPHERE_MASK
+#for Bit in $SHAPE_SPHERE_MASK_$PART
+#if CACHED_LOADS
+vec4 ball$Shape$Bit() { return cached$ShapeBall$Bit; }
+#else
+vec4 ball$Shape$Bit() { return ball$Shape(object$Shape(k$ShapeLoose + $Bit)); }
+#endif
+#endfor
+#endfor
+#endfor

@@ -1,15 +1,21 @@
-// What the usual program leaves to the whole one: a pixel whose rays meet, or may meet, what few pixels do
-// (tracer/software/uncommon_features.h). It finds that out on the way, and then goes no further.
+// What the base variant falls back from: a pixel whose rays meet, or may meet, uncommon features
+// (tracer/software/uncommon_features.h). It finds that out on the way, goes no further and is discarded; the full variant draws it.
 //
-// left         this pixel is
-// leftOut      the object's surface or material is not for this program
-// mayMeetUncommon  the ray enters, nearer than t, the ball about an object of a kind that this program cannot ask
+// fallsBack      whether this pixel does; with an object: or the surface or material of that object is not in this variant
+// noteUncommon   after a search for the nearest object: the ray may enter, nearer than t, the ball about an object of a kind that
+//                this variant cannot ask
+#if FALLBACK
 #for Shape in UNCOMMON
 #include "primitive/$shape.glsl"
 #endfor
-bool left = false;
+bool discarded = false;
 
-bool fallsBack(int object) { return object >= 0 && sceneTexel(kObjectBase + object).z > 0.0; }
+bool fallsBack() { return discarded; }
+
+bool fallsBack(int object) {
+    discarded = discarded || (object >= 0 && sceneTexel(kObjectBase + object).z > 0.0);
+    return discarded;
+}
 
 bool mayMeetUncommon(Ray ray, bool shadow, float t) {
     bool may = false;
@@ -25,3 +31,12 @@ bool mayMeetUncommon(Ray ray, bool shadow, float t) {
 #endfor
     return may;
 }
+
+void noteUncommon(Ray ray, bool shadow, int nearest, float t) {
+    discarded = discarded || (!(shadow && nearest >= 0) && mayMeetUncommon(ray, shadow, t));
+}
+#else
+bool fallsBack() { return false; }
+bool fallsBack(int object) { return false; }
+void noteUncommon(Ray ray, bool shadow, int nearest, float t) {}
+#endif

@@ -33,11 +33,11 @@ class RayTree : public testing::TestWithParam<Case> {
     /// The output with that many entries on the stack.
     FloatImage with(int entries, Aov aov) const {
         const std::string is = "kRayStack = 3";
-        std::string text(shaderText("ray/ray_stack.glsl"));
+        std::string text(shaderText("integrator/ray_stack.glsl"));
         const std::size_t at = text.find(is);
         EXPECT_NE(at, std::string::npos);
         text.replace(at, is.size(), "kRayStack = " + std::to_string(entries));
-        const ShaderFile overrides[] = {{"ray/ray_stack.glsl", text}};
+        const ShaderFile overrides[] = {{"integrator/ray_stack.glsl", text}};
         Settings settings;
         settings.size = {160, 120};
         settings.depth = 8;

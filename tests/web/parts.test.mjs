@@ -1,5 +1,5 @@
 // A picture in parts, its numbers held where Chromium's GL gains by it, is the picture of one program that reads each number where
-// it needs it, in every byte: what a part leaves out is drawn behind (shaders/pass/canvas.vert). Sizes that no tile divides, times
+// it needs it, in every byte: what a base variant discards is drawn behind (shaders/software/tiles.glsl). Sizes that no tile divides, times
 // at which what is rare lies elsewhere; and on the page itself, where a slow picture is refined band by band.
 import { after, before, describe, test } from 'node:test';
 import { strict as assert } from 'node:assert';

@@ -1,4 +1,4 @@
-// The source document's way of tracing, for a browser: what tests/textbook does for the desktop.
+// The source document's way of tracing, for a browser: what lab/reference/textbook does for the desktop.
 //
 //   await page.evaluate((files) => window.gnomon.shaders(files), await sourceShaders());
 //   await page.evaluate((scene) => window.gnomon.load(scene), await sourceScene('pro'));
@@ -10,7 +10,7 @@ const root = fileURLToPath(new URL('../..', import.meta.url));
 
 /** Texts by the names of the library's files that they take the place of, as sourceShaders() of lab/reference/textbook/textbook.h. */
 export async function sourceShaders() {
-  const folder = join(root, 'tests/textbook');
+  const folder = join(root, 'lab/reference/textbook');
   const all = (await readdir(folder, { recursive: true })).filter((name) => name.endsWith('.glsl'));
   const named = (name) => (name.startsWith('source') ? relative('source', name) : `primitive/${name}`);
   const read = async (name) => [named(name), await readFile(join(folder, name), 'utf8')];

@@ -1,19 +1,35 @@
 // Whitted's ray tree as the source document walked it: a loop with a stack of structs, on which the refracted ray waits
-// while the loop goes on with the reflected one. The baseline that shaders/ray/tree.glsl is measured against.
+// while the loop continues with the reflected one. The baseline that shaders/integrator/whitted.glsl is measured against.
 //
 // Stack   eight entries at every depth. Written before the count grows: stack[n++].ray = r loses data on Mesa 22.3
 // Waste   no ray is left out for the little that it adds, and every surface is shaded, the sky's planes and the sun as well.
 //         Texture coordinates are worked out once a ray, as in the document; point and normal at every closer hit
 // Limits  of light inside of glass only what leaves it is followed, unless reflection is total. Images show the detail that
-//         neighbouring pixels ask for, whatever those see: there are no pencils.
+//         neighbouring pixels ask for, whatever those see: there are no ray cones.
 //         The document asked its torus by secondary rays only; here every ray asks it, as all else
+#if IMAGES
+#include "shade/images.glsl"
+#endif
+#include "shade/material.glsl"
+#include "shade/sky.glsl"
+#if GLOWS
+#include "shade/glow.glsl"
+#endif
+#if REFLECTION
+#include "shade/fresnel.glsl"
+#endif
+#if LIGHTS
+#include "shade/lights.glsl"
+#endif
+#include "shade/blinn_phong.glsl"
+
 const int kStackSize = 8;
 const float kEpsilon = 1e-3; // how far off a surface rays start, at every scale
 
 struct StackEntry {
     vec3 origin;
     vec3 direction;
-    vec3 share;
+    vec3 throughput;
     int depth;
 };
 
@@ -58,11 +74,11 @@ Ray leaving(Ray ray, vec3 point, vec3 off, vec3 direction) {
     return ray;
 }
 
-vec3 traceTree(Ray ray) {
+vec3 radiance(Ray ray) {
     vec3 color = vec3(0.0);
-    vec3 share = vec3(1.0);
+    vec3 throughput = vec3(1.0);
     StackEntry stack[kStackSize];
-    int waiting = 0;
+    int pending = 0;
     int depth = 1;
     bool follow = true;
     while (follow) {
@@ -70,7 +86,7 @@ vec3 traceTree(Ray ray) {
         HitRecord hit;
         bool met = findClosest(ray, false, hit);
 #if GLOWS
-        color += share * glowAlong(ray, hit.t);
+        color += throughput * glowAlong(ray, hit.t);
 #endif
         if (met) {
             bool outside = dot(ray.direction, hit.normal) <= 0.0;
@@ -83,7 +99,7 @@ vec3 traceTree(Ray ray) {
             coating = coatingAt(material, surface.uv);
             if (material.normalMap >= 0) normal = bumped(surface, coating.bump, facing);
 #endif
-            color += share * shade(material, hit.point, facing, normal, ray, coating.tint);
+            color += throughput * shade(material, hit.point, facing, normal, ray, coating.tint);
             ++depth;
 #if REFLECTION
             if (material.optics != kPlain && coating.mask > 0.0 && depth <= frame.depth) {
@@ -98,28 +114,28 @@ vec3 traceTree(Ray ray) {
                         // Schlick's formula wants the angle on the thinner side.
                         vec3 back = outside ? mirror : fresnel(material.f0, -dot(bent, normal));
                         Ray refracted = leaving(ray, hit.point, -facing, bent);
-                        stack[waiting].origin = refracted.origin;
-                        stack[waiting].direction = refracted.direction;
-                        stack[waiting].share = share * (1.0 - back);
-                        stack[waiting].depth = depth;
-                        ++waiting;
+                        stack[pending].origin = refracted.origin;
+                        stack[pending].direction = refracted.direction;
+                        stack[pending].throughput = throughput * (1.0 - back);
+                        stack[pending].depth = depth;
+                        ++pending;
                         follow = outside;
                     }
                 }
 #endif
-                share *= mirror;
+                throughput *= mirror;
                 ray = leaving(ray, hit.point, facing, reflect(ray.direction, normal));
             }
 #endif
         } else {
-            color += share * skyColor(ray.direction, 0.0);
+            color += throughput * skyColor(ray.direction, 0.0);
         }
-        if (!follow && waiting > 0) {
-            --waiting;
-            ray.origin = stack[waiting].origin;
-            ray.direction = stack[waiting].direction;
-            share = stack[waiting].share;
-            depth = stack[waiting].depth;
+        if (!follow && pending > 0) {
+            --pending;
+            ray.origin = stack[pending].origin;
+            ray.direction = stack[pending].direction;
+            throughput = stack[pending].throughput;
+            depth = stack[pending].depth;
             follow = true;
         }
     }

@@ -1,0 +1,62 @@
+// What a surface makes of a ray that meets it: the reflected and the refracted ray, each with its throughput and its ray cone.
+//
+// scatterAt         the fractions of what arrives; none is refracted where the material is no dielectric or reflects totally
+// reflectedPath, reflectedDirection    of the ray that is mirrored on the shading normal, or on the geometric one where that
+//                                      would lead into the surface
+// refractedPath, refractedDirection    of the ray that Snell's law bends
+// Source            T. Whitted, An Improved Illumination Model for Shaded Display, 1980
+#include "ray/path.glsl"
+#include "shade/fresnel.glsl"
+
+struct Scatter {
+    vec3 reflected;    // of what arrives
+    float facingRatio; // cosine of the ray to the shading normal
+#if REFRACTION
+    float eta;         // index of refraction where the ray comes from, over that beyond
+    float beyond;      // squared cosine of the refracted ray; negative where there is none
+#endif
+};
+
+Scatter scatterAt(ShadingPoint at, vec3 incoming) {
+    Scatter scatter;
+    scatter.facingRatio = max(-dot(incoming, at.normal), 0.0);
+    float cosine = scatter.facingRatio;
+    float coat = at.paint.a;
+#if REFRACTION
+    bool dielectric = at.material.optics == kDielectric;
+    scatter.eta = at.side > 0.0 ? 1.0 / at.material.ior : at.material.ior;
+    float squared = 1.0 - scatter.eta * scatter.eta * (1.0 - cosine * cosine);
+    scatter.beyond = dielectric ? squared : -1.0;
+    if (scatter.beyond >= 0.0 && at.side < 0.0) { // Schlick's formula wants the angle on the thinner side
+        cosine = sqrt(scatter.beyond);
+        coat = 1.0;
+    }
+#endif
+    scatter.reflected = fresnel(at.material.f0, cosine) * coat;
+#if REFRACTION
+    if (dielectric && scatter.beyond < 0.0) scatter.reflected = vec3(1.0);
+#endif
+    return scatter;
+}
+
+Path reflectedPath(Path path, ShadingPoint at, Scatter scatter) {
+    float bend = 2.0 * path.width * at.surface.curvature / at.cosine;
+    return Path(path.throughput * scatter.reflected, path.depth + 1, path.width, path.spread + bend);
+}
+
+vec3 reflectedDirection(ShadingPoint at, vec3 incoming) {
+    vec3 reflected = reflect(incoming, at.normal);
+    return normalize(dot(reflected, at.facing) > 0.0 ? reflected : reflect(incoming, at.facing));
+}
+
+#if REFRACTION
+Path refractedPath(Path path, ShadingPoint at, Scatter scatter) {
+    float lens = abs(1.0 - scatter.eta) * path.width * at.surface.curvature / at.cosine;
+    vec3 throughput = path.throughput * (1.0 - scatter.reflected);
+    return Path(throughput, path.depth + 1, path.width, path.spread * scatter.eta + lens);
+}
+
+vec3 refractedDirection(ShadingPoint at, Scatter scatter, vec3 incoming) {
+    return normalize(scatter.eta * incoming + (scatter.eta * scatter.facingRatio - sqrt(scatter.beyond)) * at.normal);
+}
+#endif

@@ -1,0 +1,39 @@
+// All that exists only for software rasterisers, llvmpipe and SwiftShader, lies in this folder. The library's other files call it in
+// the places below, one line each; with its feature off (tracer/plan/features.h) each call is what a GPU would be given anyway.
+//
+// beforePixel, afterPixel   pass/trace.frag                     PRELOADS, CACHED_LOADS, FALLBACK
+// objectTYPE                ray/nearest.glsl                    CACHED_LOADS: cached_loads.glsl
+// latticeTYPE, ballTYPEi    accel/search.glsl                   CACHED_LOADS: cached_loads.glsl
+// middleOfTriangles         primitive/triangle.glsl             CACHED_LOADS: middle_of_triangles.glsl
+// lightPosition             integrator/shadow_rays.glsl         PRELOADS: light_position.glsl
+// fallsBack                 integrator/whitted.glsl and shadow_rays.glsl   FALLBACK: fallback.glsl
+// noteUncommon              ray/nearest.glsl                    FALLBACK: fallback.glsl
+// markCovered               pass/linear_picture.glsl            COVERAGE_MASK: coverage_mask.glsl
+// placeTile                 pass/canvas.vert                    TILES: tiles.glsl
+//
+// Loops whose ends are tested at their ends, and ITERATIONS_COUNTED in integrator/shadow_rays.glsl, stay where they are: they are the
+// shape of a loop that has to be written one way or the other.
+#if PRELOADS
+#include "software/preloads.glsl"
+vec4 preloaded;
+#endif
+
+void beforePixel() {
+#if CACHED_LOADS
+    cacheLoads();
+#endif
+#if PRELOADS
+    preloaded = preload();
+#endif
+}
+
+vec4 afterPixel(vec4 value) {
+#if FALLBACK
+    if (fallsBack()) discard;
+#endif
+#if PRELOADS
+    return frame.zero.x == 0u ? value : preloaded;
+#else
+    return value;
+#endif
+}
