@@ -1,8 +1,8 @@
 // One frame from every host: OSMesa, EGL, GLX, Chromium and Firefox show the same picture.
 //
-// Bounds    pictures: at least `alike` of the pixels within 2/255 of OSMesa's in every channel. Objects: the same one at
-//           every pixel that is not on an edge between two, and there at most 0.1 % of all pixels. Light fraction: the
-//           same at 99.9 % of the pixels that show the same object away from an edge; a soft one within `apart`.
+// Bounds    pictures: at least `alike` of the pixels within 2/255 of OSMesa's in every channel. Objects: the same one
+//           at every pixel that is not on an edge between two, and there at most 0.1 % of all pixels. Light fraction:
+//           the same at 99.9 % of the pixels that show the same object away from an edge; a soft one within `apart`.
 // The rest  mirror images may flip where a ray grazes an edge: SwiftShader and llvmpipe round the last bit otherwise.
 //           Shapes and shadows may not.
 // Needs     a display (run under xvfb-run). Difference pictures of what fails lie in build/parity/.
@@ -66,8 +66,8 @@ for (const scene of scenes) {
         const got = readPng(await draw(host, scene));
         const { share, apart } = agreement(wanted, got, 2);
         const worst = apart.reduce((most, pixel) => Math.max(most, pixel.off), 0);
-        const found = `${(100 * share).toFixed(3)} % within 2/255, ${apart.length} pixels apart, at most by ${worst}/255`;
-        console.log(`${scene.name} ${host}: ${found}`);
+        const within = `${(100 * share).toFixed(3)} % within 2/255`;
+        console.log(`${scene.name} ${host}: ${within}, ${apart.length} pixels apart, at most by ${worst}/255`);
         if (share < scene.alike) writeDifference(wanted, got, join(out, `${scene.name}-${host}-difference.png`));
         assert.ok(share >= scene.alike, `${(100 * share).toFixed(3)} % agree, ${100 * scene.alike} % are asked for`);
       });
