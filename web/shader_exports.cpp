@@ -3,7 +3,9 @@
 #include "tracer/shader/library.h"
 #include "web/host.h"
 
+#include <algorithm>
 #include <deque>
+#include <iterator>
 
 namespace {
 
@@ -15,22 +17,16 @@ std::vector<ShaderFile> added; ///< since the last useShaders()
 
 extern "C" {
 
-/// How far all is: Progress (tracer/render/progress.h) as JSON.
-EMSCRIPTEN_KEEPALIVE const char* progress() {
+/// How far all is, as Progress (tracer/render/progress.h) tells: four shares, then whether it compiles, is ready,
+/// failed.
+EMSCRIPTEN_KEEPALIVE const double* progress() {
+    static double values[7];
     host.viewer->poll(host.problems);
-    const Progress progress = host.viewer->progress();
-    std::string json = "{";
-    const auto add = [&json](const char* name, double share) {
-        json += (json.size() > 1 ? ",\"" : "\"") + std::string(name) + "\":" + std::to_string(share);
-    };
-    add("compiled", progress.compiled);
-    add("images", progress.images);
-    add("baked", progress.baked);
-    add("samples", progress.samples);
-    add("compiling", progress.compiling());
-    add("ready", progress.ready());
-    add("failed", progress.failed);
-    return give(json + "}");
+    const Progress is = host.viewer->progress();
+    const double now[] = {is.compiled,        is.images,        is.baked, is.samples, double(is.compiling()),
+                          double(is.ready()), double(is.failed)};
+    std::copy(std::begin(now), std::end(now), values);
+    return values;
 }
 EMSCRIPTEN_KEEPALIVE double compileMs() { return host.viewer->renderer().stats().compileMs; }
 EMSCRIPTEN_KEEPALIVE int sourceBytes() { return int(host.viewer->renderer().stats().sourceBytes); }

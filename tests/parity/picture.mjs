@@ -34,7 +34,8 @@ export function onAnEdge(image, x, y) {
   for (let dy = -1; dy <= 1; ++dy)
     for (let dx = -1; dx <= 1; ++dx) {
       const nx = x + dx, ny = y + dy;
-      if (nx >= 0 && ny >= 0 && nx < image.width && ny < image.height && image.data[ny * image.width + nx] !== here) return true;
+      const inside = nx >= 0 && ny >= 0 && nx < image.width && ny < image.height;
+      if (inside && image.data[ny * image.width + nx] !== here) return true;
     }
   return false;
 }
@@ -43,7 +44,8 @@ export function onAnEdge(image, x, y) {
 export function writeDifference(a, b, file) {
   const picture = new PNG({ width: a.width, height: a.height });
   for (let i = 0; i < a.width * a.height; ++i) {
-    for (let c = 0; c < 3; ++c) picture.data[4 * i + c] = Math.min(255, 10 * Math.abs(a.data[4 * i + c] - b.data[4 * i + c]));
+    for (let c = 0; c < 3; ++c)
+      picture.data[4 * i + c] = Math.min(255, 10 * Math.abs(a.data[4 * i + c] - b.data[4 * i + c]));
     picture.data[4 * i + 3] = 255;
   }
   writeFileSync(file, PNG.sync.write(picture));

@@ -1,5 +1,5 @@
-// The page against the source document's way of tracing (tests/textbook/source), in one browser and run. By itself it prints how many
-// times as fast the page draws:
+// The page against the source document's way of tracing (lab/reference/textbook/source), in one browser and run. By
+// itself it prints how many times as fast the page draws:
 //
 //   node tests/web/against_source.mjs [--browser=chromium] [--scene=pro] [--size=800x600] [--data=block] [--rounds=3]
 //                                     [--eye=0,6,24 --target=0,-7,12]

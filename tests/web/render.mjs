@@ -1,12 +1,13 @@
 // Renders one frame of the page in a real browser and writes the canvas' pixels, or an output as floats.
+import { fileURLToPath } from 'node:url';
 import { parseArgs } from 'node:util';
 import { writeFile } from 'node:fs/promises';
 import { PNG } from 'pngjs';
 import { launch, openPage, picture } from './browsers.mjs';
 import { serve } from './server.mjs';
 
-const usage = `usage: node tests/web/render.mjs --browser=chromium|firefox [--scene=lite] [--size=200x150] [--set=KEY=VALUE …]
-                                [--aov=NAME] -o FILE.png|FILE.pfm
+const usage = `usage: node tests/web/render.mjs --browser=chromium|firefox [--scene=lite] [--size=200x150]
+                                [--set=KEY=VALUE …] [--aov=NAME] -o FILE.png|FILE.pfm
   FILE.png  the canvas as it is read back, 8 bits a channel
   FILE.pfm  the output --aov names (default color), float32
 Time is 0 and paused unless --set says otherwise. --set takes the page's settings, as --set=depth=8.`;
@@ -63,31 +64,40 @@ async function output(page, aov) {
   return { ...shape, data: new Float32Array(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length)) };
 }
 
-const chosen = options();
-if (chosen.help) {
-  console.log(usage);
-  process.exit(0);
-}
-if (!/\.(png|pfm)$/.test(chosen.output ?? '')) fail('-o needs a file that ends in .png or .pfm');
-if (chosen.set.some((pair) => !pair.includes('='))) fail('--set needs KEY=VALUE');
-if (!['chromium', 'firefox'].includes(chosen.browser)) fail(`there is no browser '${chosen.browser}'`);
-
-const query = new URLSearchParams({ scene: chosen.scene, size: chosen.size, time: '0', pause: 'on' });
-for (const pair of chosen.set) query.set(pair.slice(0, pair.indexOf('=')), pair.slice(pair.indexOf('=') + 1));
-
-const server = await serve();
-const browser = await launch(chosen.browser);
-try {
-  const page = await openPage(browser, `${server.url}?${query}`);
+/**
+ * Writes one frame of the page in an open browser to `file`; throws what the page complains of.
+ * @param options.set texts KEY=VALUE
+ */
+export async function render(browser, url, { scene, size, set = [], aov = 'color', file }) {
+  const query = new URLSearchParams({ scene, size, time: '0', pause: 'on' });
+  for (const pair of set) query.set(pair.slice(0, pair.indexOf('=')), pair.slice(pair.indexOf('=') + 1));
+  const page = await openPage(browser, `${url}?${query}`);
   const told = await page.$eval('.problems', (element) => element.textContent);
   if (told) throw new Error(told); // a picture of something else than asked for helps nobody
-  const file = chosen.output.endsWith('.png') ? png(await picture(page)) : pfm(await output(page, chosen.aov));
+  const bytes = file.endsWith('.png') ? png(await picture(page)) : pfm(await output(page, aov));
   page.verify();
-  await writeFile(chosen.output, file);
-} catch (error) {
-  console.error(`render: error: ${error.message}`);
-  process.exitCode = 1;
-} finally {
-  await browser.close();
-  await server.close();
+  await page.close();
+  await writeFile(file, bytes);
 }
+
+async function main() {
+  const chosen = options();
+  if (chosen.help) return console.log(usage);
+  if (!/\.(png|pfm)$/.test(chosen.output ?? '')) fail('-o needs a file that ends in .png or .pfm');
+  if (chosen.set.some((pair) => !pair.includes('='))) fail('--set needs KEY=VALUE');
+  if (!['chromium', 'firefox'].includes(chosen.browser)) fail(`there is no browser '${chosen.browser}'`);
+
+  const server = await serve();
+  const browser = await launch(chosen.browser);
+  try {
+    await render(browser, server.url, { ...chosen, file: chosen.output });
+  } catch (error) {
+    console.error(`render: error: ${error.message}`);
+    process.exitCode = 1;
+  } finally {
+    await browser.close();
+    await server.close();
+  }
+}
+
+if (process.argv[1] === fileURLToPath(import.meta.url)) await main();

@@ -1,5 +1,5 @@
-// The page against the source document's way of tracing (tests/textbook/source), in the same browser and run; and shader files
-// of a script's own.
+// The page against the source document's way of tracing (lab/reference/textbook/source), in the same browser and run; and
+// shader files of a script's own.
 //
 // Bound  pro and lite show nearly the source's picture (its sky is sampled otherwise): at least 98 % of the pixels within 24/255.
 //        A frame of pro takes at most half of the source's, lite at most 1/1.1: what a busy machine leaves of the figures in

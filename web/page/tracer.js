@@ -5,7 +5,6 @@
 
 import { fetchCounted } from './load.js';
 
-
 /**
  * Loads and starts the module.
  * @param report called with each line the user should know of
@@ -90,8 +89,10 @@ function wrap(module) {
     takeProblems: () => text(module._takeProblems()),
     /** How far the picture is that scene and settings ask for; images that load are the session's. */
     progress() {
-      const told = JSON.parse(text(module._progress()));
-      return { ...told, compiling: told.compiling > 0, ready: told.ready > 0, failed: told.failed > 0 };
+      const at = module._progress() >> 3;
+      const [compiled, images, baked, samples, ...flags] = module.HEAPF64.subarray(at, at + 7);
+      const [compiling, ready, failed] = flags.map(Boolean);
+      return { compiled, images, baked, samples, compiling, ready, failed };
     },
     compileMs: () => module._compileMs(),
     sourceBytes: () => module._sourceBytes(),
