@@ -1,17 +1,20 @@
 // One frame from every host: OSMesa, EGL, GLX, Chromium and Firefox show the same picture.
 //
-// Bounds    pictures: at least `share` of the pixels within 2/255 of OSMesa's in every channel. Objects: the same one at every pixel
-//           that is not on an edge between two, and there at most 0.1 % of all pixels. Light fraction: the same at
-//           99.9 % of the pixels that show the same object away from an edge; a soft one within `apart`.
+// Bounds    pictures: at least `share` of the pixels within 2/255 of OSMesa's in every channel. Objects: the same one
+//           at every pixel that is not on an edge between two, and there at most 0.1 % of all pixels. Light fraction:
+//           the same at 99.9 % of the pixels that show the same object away from an edge; a soft one within `apart`.
 // The rest  mirror images may flip where a ray grazes an edge: SwiftShader and llvmpipe round the last bit otherwise.
 //           Shapes and shadows may not.
 // Needs     a display (run under xvfb-run). Difference pictures of what fails lie in build/parity/.
-import { test } from 'node:test';
+import { after, before, test } from 'node:test';
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { mkdirSync } from 'node:fs';
+import { mkdirSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { join } from 'node:path';
+import { fileOf } from '../web/picture_file.mjs';
+import { serve } from '../web/server.mjs';
+import { sharedBrowser } from '../web/shared_browser.mjs';
 import { agreement, onAnEdge, readPfm, readPng, writeDifference } from './picture.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
@@ -23,36 +26,42 @@ const scenes = [
   { name: 'lite', depth: 8, size: '240x180', share: 0.999 },
   { name: 'torus', depth: 8, size: '240x180', share: 0.999 },
   { name: 'pro', depth: 8, size: '240x180', share: 0.995 },
-  // Soft shadows and marched bodies add up roundings over many steps: a light fraction may be a little apart.
+  // Soft shadows and marched solids add up roundings over many steps: a light fraction may be a little apart.
   { name: 'complex', depth: 2, size: '160x120', share: 0.99, shadows: 'silhouette', apart: 0.02 },
   { name: 'solids', depth: 2, size: '160x120', share: 0.98, shadows: 'cone-linear', apart: 0.02 },
 ];
 const natives = ['osmesa', 'egl', 'window'];
 const hosts = [...natives, 'chromium', 'firefox'];
 
+let server;
+before(async () => (server = await serve()));
+after(() => server.close());
+
 /** Draws with one host; `aov` is empty for the picture itself. */
-function draw(host, scene, aov = '') {
-  const file = join(out, `${scene.name}-${aov || 'picture'}-${host}.${aov ? 'pfm' : 'png'}`);
-  const settings = [`depth=${scene.depth}`, `shadows=${scene.shadows ?? 'hard'}`];
-  const output = aov ? [`--aov=${aov}`] : [];
+async function draw(host, { name, size, depth, shadows = 'hard' }, aov = '') {
+  const output = join(out, `${name}-${aov || 'picture'}-${host}.${aov ? 'pfm' : 'png'}`);
+  const set = [`depth=${depth}`, `shadows=${shadows}`];
   if (natives.includes(host)) {
-    execFileSync(gnomon, ['render', scene.name, '-o', file, `--size=${scene.size}`, `--context=${host}`, ...settings.map((set) => `--${set}`), ...output]);
+    const settings = [...set, `size=${size}`, `context=${host}`, ...(aov ? [`aov=${aov}`] : [])];
+    execFileSync(gnomon, ['render', name, '-o', output, ...settings.map((setting) => `--${setting}`)]);
   } else {
-    execFileSync(process.execPath, [join(root, 'tests/web/render.mjs'), `--browser=${host}`, `--scene=${scene.name}`,
-      `--size=${scene.size}`, ...settings.map((set) => `--set=${set}`), ...output, '-o', file]);
+    writeFileSync(output, await fileOf(await sharedBrowser(host), server.url, { scene: name, size, set, aov, output }));
   }
-  return file;
+  return output;
 }
 
 for (const scene of scenes) {
   test(`${scene.name}: every host shows OSMesa's picture`, { timeout: 600_000 }, async (t) => {
-    const wanted = readPng(draw('osmesa', scene));
+    const wanted = readPng(await draw('osmesa', scene));
     for (const host of hosts.slice(1)) {
-      await t.test(host, () => {
-        const got = readPng(draw(host, scene));
+      await t.test(host, async () => {
+        const got = readPng(await draw(host, scene));
         const { share, apart } = agreement(wanted, got, 2);
         const worst = apart.reduce((most, pixel) => Math.max(most, pixel.off), 0);
-        console.log(`${scene.name} ${host}: ${(100 * share).toFixed(3)} % within 2/255, ${apart.length} pixels apart, at most by ${worst}/255`);
+        console.log(
+          `${scene.name} ${host}: ${(100 * share).toFixed(3)} % within 2/255, ` +
+            `${apart.length} pixels apart, at most by ${worst}/255`,
+        );
         if (share < scene.share) writeDifference(wanted, got, join(out, `${scene.name}-${host}-difference.png`));
         assert.ok(share >= scene.share, `${(100 * share).toFixed(3)} % agree, ${100 * scene.share} % are asked for`);
       });
@@ -60,14 +69,16 @@ for (const scene of scenes) {
   });
 
   test(`${scene.name}: no host flips a shape or a shadow`, { timeout: 600_000 }, async (t) => {
-    const objects = readPfm(draw('osmesa', scene, 'object'));
-    const light = readPfm(draw('osmesa', scene, 'visibility'));
+    const objects = readPfm(await draw('osmesa', scene, 'object'));
+    const light = readPfm(await draw('osmesa', scene, 'visibility'));
     const pixels = objects.width * objects.height;
     for (const host of hosts.slice(1)) {
-      await t.test(host, () => {
-        const gotObjects = readPfm(draw(host, scene, 'object'));
-        const gotLight = readPfm(draw(host, scene, 'visibility'));
-        let flipped = 0, inside = 0, dark = 0;
+      await t.test(host, async () => {
+        const gotObjects = readPfm(await draw(host, scene, 'object'));
+        const gotLight = readPfm(await draw(host, scene, 'visibility'));
+        let flipped = 0,
+          inside = 0,
+          dark = 0;
         for (let y = 0; y < objects.height; ++y)
           for (let x = 0; x < objects.width; ++x) {
             const i = y * objects.width + x;
@@ -75,7 +86,10 @@ for (const scene of scenes) {
             if (objects.data[i] !== gotObjects.data[i]) edge ? ++flipped : ++inside;
             else if (!edge && Math.abs(light.data[i] - gotLight.data[i]) > (scene.apart ?? 0)) ++dark;
           }
-        console.log(`${scene.name} ${host}: ${flipped} edge pixels and ${inside} others show another object, ${dark} another shadow`);
+        console.log(
+          `${scene.name} ${host}: ${flipped} edge pixels and ${inside} others show another object, ` +
+            `${dark} another shadow`,
+        );
         assert.equal(inside, 0, 'away from edges every pixel shows the same object');
         assert.ok(flipped <= pixels / 1000, `${flipped} edge pixels show another object`);
         assert.ok(dark <= pixels / 1000, `${dark} pixels are lit otherwise`);

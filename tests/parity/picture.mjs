@@ -9,7 +9,8 @@ export function readPfm(file) {
   const bytes = readFileSync(file);
   const header = /^Pf\n(\d+) (\d+)\n(-[\d.]+)\n/.exec(bytes.subarray(0, 64).toString('latin1'));
   if (!header) throw new Error(`${file} is no one-channel little-endian PFM`);
-  const width = Number(header[1]), height = Number(header[2]);
+  const width = Number(header[1]),
+    height = Number(header[2]);
   const data = new Float32Array(width * height);
   for (let y = 0; y < height; ++y)
     for (let x = 0; x < width; ++x)
@@ -33,8 +34,10 @@ export function onAnEdge(image, x, y) {
   const here = image.data[y * image.width + x];
   for (let dy = -1; dy <= 1; ++dy)
     for (let dx = -1; dx <= 1; ++dx) {
-      const nx = x + dx, ny = y + dy;
-      if (nx >= 0 && ny >= 0 && nx < image.width && ny < image.height && image.data[ny * image.width + nx] !== here) return true;
+      const nx = x + dx,
+        ny = y + dy;
+      if (nx >= 0 && ny >= 0 && nx < image.width && ny < image.height && image.data[ny * image.width + nx] !== here)
+        return true;
     }
   return false;
 }
@@ -43,7 +46,8 @@ export function onAnEdge(image, x, y) {
 export function writeDifference(a, b, file) {
   const picture = new PNG({ width: a.width, height: a.height });
   for (let i = 0; i < a.width * a.height; ++i) {
-    for (let c = 0; c < 3; ++c) picture.data[4 * i + c] = Math.min(255, 10 * Math.abs(a.data[4 * i + c] - b.data[4 * i + c]));
+    for (let c = 0; c < 3; ++c)
+      picture.data[4 * i + c] = Math.min(255, 10 * Math.abs(a.data[4 * i + c] - b.data[4 * i + c]));
     picture.data[4 * i + 3] = 255;
   }
   writeFileSync(file, PNG.sync.write(picture));

@@ -1,12 +1,14 @@
-// A picture in parts, its numbers held where Chromium's GL gains by it, is the picture of one program that reads each number where
-// it needs it, in every byte: what a part leaves out is drawn behind (shaders/pass/canvas.vert). Sizes that no tile divides, times
-// at which what is rare lies elsewhere; and on the page itself, where a slow picture is refined band by band.
+// A picture in parts, its numbers held where Chromium's GL gains by it, is the picture of one program that reads each
+// number where it needs it, in every byte: what a part leaves out is drawn behind (shaders/pass/canvas.vert). Sizes
+// that no tile divides, times at which what is rare lies elsewhere; and on the page itself, where a slow picture is
+// refined band by band.
 import { after, before, describe, test } from 'node:test';
 import { strict as assert } from 'node:assert';
 import { readFile } from 'node:fs/promises';
 import { PNG } from 'pngjs';
-import { browserNames, differences, launch, openPage, picture, until } from './browsers.mjs';
+import { browserNames, differences, openPage, picture, until } from './browsers.mjs';
 import { serve } from './server.mjs';
+import { sharedBrowser } from './shared_browser.mjs';
 
 const still = 'pause=on&depth=8';
 // Where a file is not the library's own, though its text be the same, there is one program, and it holds nothing.
@@ -19,22 +21,24 @@ const cases = [
 ];
 
 for (const name of browserNames)
-  describe(name, () => {
+  describe(`shader variants in ${name}`, () => {
     let server, browser;
 
     before(async () => {
       server = await serve();
-      browser = await launch(name);
+      browser = await sharedBrowser(name);
     });
     after(async () => {
-      await browser?.close();
       await server?.close();
     });
 
     for (const { scene, size, time } of cases)
       test(`${scene} at ${size}`, async () => {
         const shown = async (parts) => {
-          const page = await openPage(browser, `${server.url}?scene=${scene}&size=${size}&time=${time}&${still}&adapt=off&parts=${parts}`);
+          const page = await openPage(
+            browser,
+            `${server.url}?scene=${scene}&size=${size}&time=${time}&${still}&adapt=off&parts=${parts}`,
+          );
           const { sourceBytes } = await page.evaluate(() => window.gnomon.stats());
           const seen = await picture(page);
           const holds = () => page.evaluate(() => window.gnomon.source().includes('void hold('));
@@ -46,9 +50,13 @@ for (const name of browserNames)
           await page.close();
           return { seen, sourceBytes, plain };
         };
-        const whole = await shown('off'), parts = await shown('on');
+        const whole = await shown('off'),
+          parts = await shown('on');
         assert.equal(differences(parts.plain, parts.seen), 0);
-        assert.ok(parts.sourceBytes > whole.sourceBytes + 10_000, `there was no usual program: ${parts.sourceBytes} bytes beside ${whole.sourceBytes}`);
+        assert.ok(
+          parts.sourceBytes > whole.sourceBytes + 10_000,
+          `there was no usual program: ${parts.sourceBytes} bytes beside ${whole.sourceBytes}`,
+        );
         assert.ok(new Set(whole.seen.data).size > 50, 'the picture shows nothing');
         assert.equal(differences(parts.seen, whole.seen), 0);
       });
@@ -59,7 +67,8 @@ for (const name of browserNames)
       const whole = await openPage(browser, `${url}&time=3&adapt=off&parts=off`, { viewport });
       const wanted = await picture(whole);
       const page = await openPage(browser, `${url}&time=0`, { viewport });
-      await page.evaluate(() => { // all but the canvas
+      await page.evaluate(() => {
+        // all but the canvas
         for (const one of document.querySelectorAll('body *'))
           if (one.tagName !== 'CANVAS' && !one.querySelector('canvas')) one.style.display = 'none';
       });

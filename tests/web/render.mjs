@@ -1,12 +1,12 @@
 // Renders one frame of the page in a real browser and writes the canvas' pixels, or an output as floats.
 import { parseArgs } from 'node:util';
 import { writeFile } from 'node:fs/promises';
-import { PNG } from 'pngjs';
-import { launch, openPage, picture } from './browsers.mjs';
+import { fileOf } from './picture_file.mjs';
+import { launch } from './browsers.mjs';
 import { serve } from './server.mjs';
 
-const usage = `usage: node tests/web/render.mjs --browser=chromium|firefox [--scene=lite] [--size=200x150] [--set=KEY=VALUE …]
-                                [--aov=NAME] -o FILE.png|FILE.pfm
+const usage = `usage: node tests/web/render.mjs --browser=chromium|firefox [--scene=lite] [--size=200x150]
+                                [--set=KEY=VALUE …] [--aov=NAME] -o FILE.png|FILE.pfm
   FILE.png  the canvas as it is read back, 8 bits a channel
   FILE.pfm  the output --aov names (default color), float32
 Time is 0 and paused unless --set says otherwise. --set takes the page's settings, as --set=depth=8.`;
@@ -34,35 +34,6 @@ function options() {
   }
 }
 
-/** The bytes of a PFM file: rows from the bottom up, little endian. */
-function pfm({ width, height, channels, data }) {
-  const header = Buffer.from(`${channels === 3 ? 'PF' : 'Pf'}\n${width} ${height}\n-1.0\n`);
-  const rows = Buffer.alloc(data.length * 4);
-  const row = width * channels;
-  for (let y = 0; y < height; ++y)
-    for (let i = 0; i < row; ++i) rows.writeFloatLE(data[(height - 1 - y) * row + i], (y * row + i) * 4);
-  return Buffer.concat([header, rows]);
-}
-
-function png({ width, height, data }) {
-  const image = new PNG({ width, height });
-  data.copy(image.data);
-  return PNG.sync.write(image, { colorType: 2 });
-}
-
-/** The output as floats; base64 keeps infinities, which JSON does not. */
-async function output(page, aov) {
-  const { text, ...shape } = await page.evaluate(async (name) => {
-    const { width, height, channels, data } = await window.gnomon.readOutput(name);
-    const bytes = new Uint8Array(data.buffer);
-    let string = '';
-    for (let i = 0; i < bytes.length; i += 8192) string += String.fromCharCode(...bytes.subarray(i, i + 8192));
-    return { width, height, channels, text: btoa(string) };
-  }, aov);
-  const bytes = Buffer.from(text, 'base64');
-  return { ...shape, data: new Float32Array(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length)) };
-}
-
 const chosen = options();
 if (chosen.help) {
   console.log(usage);
@@ -72,18 +43,10 @@ if (!/\.(png|pfm)$/.test(chosen.output ?? '')) fail('-o needs a file that ends i
 if (chosen.set.some((pair) => !pair.includes('='))) fail('--set needs KEY=VALUE');
 if (!['chromium', 'firefox'].includes(chosen.browser)) fail(`there is no browser '${chosen.browser}'`);
 
-const query = new URLSearchParams({ scene: chosen.scene, size: chosen.size, time: '0', pause: 'on' });
-for (const pair of chosen.set) query.set(pair.slice(0, pair.indexOf('=')), pair.slice(pair.indexOf('=') + 1));
-
 const server = await serve();
 const browser = await launch(chosen.browser);
 try {
-  const page = await openPage(browser, `${server.url}?${query}`);
-  const told = await page.$eval('.problems', (element) => element.textContent);
-  if (told) throw new Error(told); // a picture of something else than asked for helps nobody
-  const file = chosen.output.endsWith('.png') ? png(await picture(page)) : pfm(await output(page, chosen.aov));
-  page.verify();
-  await writeFile(chosen.output, file);
+  await writeFile(chosen.output, await fileOf(browser, server.url, chosen));
 } catch (error) {
   console.error(`render: error: ${error.message}`);
   process.exitCode = 1;

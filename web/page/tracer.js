@@ -5,7 +5,6 @@
 
 import { fetchCounted } from './load.js';
 
-
 /**
  * Loads and starts the module.
  * @param report called with each line the user should know of
@@ -95,6 +94,7 @@ function wrap(module) {
     },
     compileMs: () => module._compileMs(),
     sourceBytes: () => module._sourceBytes(),
+    liveGlObjects: () => module._liveGlObjects(),
     source: () => text(module._shaderSource()),
     replaceShaders(files) {
       for (const [name, glsl] of Object.entries(files)) withStrings('addShader', name, glsl);
