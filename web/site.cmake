@@ -19,8 +19,8 @@ function(mirror from to)
   endforeach()
 endfunction()
 
-# Comments that have lines of their own stay in the repository, as those of the shaders do: a visitor waits for what the page
-# carries.
+# Comments that have lines of their own stay in the repository, as those of the shaders do: a visitor waits for what the
+# page carries.
 function(strip_comments folder)
   file(GLOB scripts ${folder}/*.js)
   foreach(script ${scripts})

@@ -1,6 +1,6 @@
 // One frame from every host: OSMesa, EGL, GLX, Chromium and Firefox show the same picture.
 //
-// Bounds    pictures: at least `alike` of the pixels within 2/255 of OSMesa's in every channel. Objects: the same one
+// Bounds    pictures: at least `share` of the pixels within 2/255 of OSMesa's in every channel. Objects: the same one
 //           at every pixel that is not on an edge between two, and there at most 0.1 % of all pixels. Light fraction:
 //           the same at 99.9 % of the pixels that show the same object away from an edge; a soft one within `apart`.
 // The rest  mirror images may flip where a ray grazes an edge: SwiftShader and llvmpipe round the last bit otherwise.
@@ -9,12 +9,12 @@
 import { after, before, test } from 'node:test';
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
-import { mkdirSync } from 'node:fs';
+import { mkdirSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { join } from 'node:path';
-import { launch } from '../web/browsers.mjs';
-import { render } from '../web/render.mjs';
+import { fileOf } from '../web/picture_file.mjs';
 import { serve } from '../web/server.mjs';
+import { sharedBrowser } from '../web/shared_browser.mjs';
 import { agreement, onAnEdge, readPfm, readPng, writeDifference } from './picture.mjs';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
@@ -23,39 +23,31 @@ const gnomon = process.env.GNOMON_BINARY ?? join(root, 'build/native/gnomon');
 mkdirSync(out, { recursive: true });
 
 const scenes = [
-  { name: 'lite', depth: 8, size: '240x180', alike: 0.999 },
-  { name: 'torus', depth: 8, size: '240x180', alike: 0.999 },
-  { name: 'pro', depth: 8, size: '240x180', alike: 0.995 },
+  { name: 'lite', depth: 8, size: '240x180', share: 0.999 },
+  { name: 'torus', depth: 8, size: '240x180', share: 0.999 },
+  { name: 'pro', depth: 8, size: '240x180', share: 0.995 },
   // Soft shadows and marched solids add up roundings over many steps: a light fraction may be a little apart.
-  { name: 'complex', depth: 2, size: '160x120', alike: 0.99, shadows: 'silhouette', apart: 0.02 },
-  { name: 'solids', depth: 2, size: '160x120', alike: 0.98, shadows: 'cone-linear', apart: 0.02 },
+  { name: 'complex', depth: 2, size: '160x120', share: 0.99, shadows: 'silhouette', apart: 0.02 },
+  { name: 'solids', depth: 2, size: '160x120', share: 0.98, shadows: 'cone-linear', apart: 0.02 },
 ];
 const natives = ['osmesa', 'egl', 'window'];
 const hosts = [...natives, 'chromium', 'firefox'];
 
 let server;
-const browsers = {}; // started once for all pictures
-before(async () => {
-  server = await serve();
-  for (const name of ['chromium', 'firefox']) browsers[name] = await launch(name);
-});
-after(async () => {
-  for (const browser of Object.values(browsers)) await browser.close();
-  await server?.close();
-});
+before(async () => (server = await serve()));
+after(() => server.close());
 
-/** Draws with one host; `aov` is empty for the picture itself. Answers the file. */
-async function draw(host, scene, aov = '') {
-  const file = join(out, `${scene.name}-${aov || 'picture'}-${host}.${aov ? 'pfm' : 'png'}`);
-  const settings = [`depth=${scene.depth}`, `shadows=${scene.shadows ?? 'hard'}`];
+/** Draws with one host; `aov` is empty for the picture itself. */
+async function draw(host, { name, size, depth, shadows = 'hard' }, aov = '') {
+  const output = join(out, `${name}-${aov || 'picture'}-${host}.${aov ? 'pfm' : 'png'}`);
+  const set = [`depth=${depth}`, `shadows=${shadows}`];
   if (natives.includes(host)) {
-    const options = [`--size=${scene.size}`, `--context=${host}`, ...settings.map((set) => `--${set}`)];
-    execFileSync(gnomon, ['render', scene.name, '-o', file, ...options, ...(aov ? [`--aov=${aov}`] : [])]);
+    const settings = [...set, `size=${size}`, `context=${host}`, ...(aov ? [`aov=${aov}`] : [])];
+    execFileSync(gnomon, ['render', name, '-o', output, ...settings.map((setting) => `--${setting}`)]);
   } else {
-    const options = { scene: scene.name, size: scene.size, set: settings, file, ...(aov ? { aov } : {}) };
-    await render(browsers[host], server.url, options);
+    writeFileSync(output, await fileOf(await sharedBrowser(host), server.url, { scene: name, size, set, aov, output }));
   }
-  return file;
+  return output;
 }
 
 for (const scene of scenes) {
@@ -66,10 +58,12 @@ for (const scene of scenes) {
         const got = readPng(await draw(host, scene));
         const { share, apart } = agreement(wanted, got, 2);
         const worst = apart.reduce((most, pixel) => Math.max(most, pixel.off), 0);
-        const within = `${(100 * share).toFixed(3)} % within 2/255`;
-        console.log(`${scene.name} ${host}: ${within}, ${apart.length} pixels apart, at most by ${worst}/255`);
-        if (share < scene.alike) writeDifference(wanted, got, join(out, `${scene.name}-${host}-difference.png`));
-        assert.ok(share >= scene.alike, `${(100 * share).toFixed(3)} % agree, ${100 * scene.alike} % are asked for`);
+        console.log(
+          `${scene.name} ${host}: ${(100 * share).toFixed(3)} % within 2/255, ` +
+            `${apart.length} pixels apart, at most by ${worst}/255`,
+        );
+        if (share < scene.share) writeDifference(wanted, got, join(out, `${scene.name}-${host}-difference.png`));
+        assert.ok(share >= scene.share, `${(100 * share).toFixed(3)} % agree, ${100 * scene.share} % are asked for`);
       });
     }
   });
@@ -82,7 +76,9 @@ for (const scene of scenes) {
       await t.test(host, async () => {
         const gotObjects = readPfm(await draw(host, scene, 'object'));
         const gotLight = readPfm(await draw(host, scene, 'visibility'));
-        let flipped = 0, inside = 0, dark = 0;
+        let flipped = 0,
+          inside = 0,
+          dark = 0;
         for (let y = 0; y < objects.height; ++y)
           for (let x = 0; x < objects.width; ++x) {
             const i = y * objects.width + x;
@@ -90,8 +86,10 @@ for (const scene of scenes) {
             if (objects.data[i] !== gotObjects.data[i]) edge ? ++flipped : ++inside;
             else if (!edge && Math.abs(light.data[i] - gotLight.data[i]) > (scene.apart ?? 0)) ++dark;
           }
-        const found = `${flipped} edge pixels and ${inside} others show another object, ${dark} another shadow`;
-        console.log(`${scene.name} ${host}: ${found}`);
+        console.log(
+          `${scene.name} ${host}: ${flipped} edge pixels and ${inside} others show another object, ` +
+            `${dark} another shadow`,
+        );
         assert.equal(inside, 0, 'away from edges every pixel shows the same object');
         assert.ok(flipped <= pixels / 1000, `${flipped} edge pixels show another object`);
         assert.ok(dark <= pixels / 1000, `${dark} pixels are lit otherwise`);

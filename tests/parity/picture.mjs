@@ -9,7 +9,8 @@ export function readPfm(file) {
   const bytes = readFileSync(file);
   const header = /^Pf\n(\d+) (\d+)\n(-[\d.]+)\n/.exec(bytes.subarray(0, 64).toString('latin1'));
   if (!header) throw new Error(`${file} is no one-channel little-endian PFM`);
-  const width = Number(header[1]), height = Number(header[2]);
+  const width = Number(header[1]),
+    height = Number(header[2]);
   const data = new Float32Array(width * height);
   for (let y = 0; y < height; ++y)
     for (let x = 0; x < width; ++x)
@@ -33,9 +34,10 @@ export function onAnEdge(image, x, y) {
   const here = image.data[y * image.width + x];
   for (let dy = -1; dy <= 1; ++dy)
     for (let dx = -1; dx <= 1; ++dx) {
-      const nx = x + dx, ny = y + dy;
-      const inside = nx >= 0 && ny >= 0 && nx < image.width && ny < image.height;
-      if (inside && image.data[ny * image.width + nx] !== here) return true;
+      const nx = x + dx,
+        ny = y + dy;
+      if (nx >= 0 && ny >= 0 && nx < image.width && ny < image.height && image.data[ny * image.width + nx] !== here)
+        return true;
     }
   return false;
 }

@@ -1,5 +1,5 @@
-// The page against the source document's way of tracing (lab/reference/textbook/source), in one browser and run. By
-// itself it prints how many times as fast the page draws:
+// The page against the source document's way of tracing (tests/textbook/source), in one browser and run. By itself it
+// prints how many times as fast the page draws:
 //
 //   node tests/web/against_source.mjs [--browser=chromium] [--scene=pro] [--size=800x600] [--data=block] [--rounds=3]
 //                                     [--eye=0,6,24 --target=0,-7,12]
@@ -15,9 +15,13 @@ const still = 'pause=on&time=0&depth=8&adapt=off';
 
 export const median = (values) => values.toSorted((a, b) => a - b)[Math.floor(values.length / 2)];
 
-/** Two pages that show the same, { ours, source }. @param options.camera as in a scene file, in place of the scene's own */
+/**
+ * Two pages that show the same, { ours, source }. @param options.camera as in a scene file, in place of the scene's own
+ */
 export async function openPair(browser, url, { scene, size, data = 'auto', camera = {} }) {
-  const view = Object.entries(camera).map(([key, place]) => `&${key}=${place}`).join('');
+  const view = Object.entries(camera)
+    .map(([key, place]) => `&${key}=${place}`)
+    .join('');
   const ours = await openPage(browser, `${url}?scene=${scene}&size=${size}&${still}${view}`);
   const source = await openPage(browser, `${url}?scene=${scene}&size=${size}&${still}&accel=none&data=${data}`);
   const told = await sourceScene(scene);
@@ -45,17 +49,32 @@ export async function race({ ours, source }, rounds) {
 async function main() {
   const string = (value) => ({ type: 'string', default: value });
   const { values } = parseArgs({
-    options: { browser: string('chromium'), scene: string('pro'), size: string('800x600'), data: string('block'), rounds: string('3'),
-               eye: { type: 'string' }, target: { type: 'string' } },
+    options: {
+      browser: string('chromium'),
+      scene: string('pro'),
+      size: string('800x600'),
+      data: string('block'),
+      rounds: string('3'),
+      eye: { type: 'string' },
+      target: { type: 'string' },
+    },
   });
   const place = (text) => text.split(',').map(Number);
-  const camera = Object.fromEntries(['eye', 'target'].filter((key) => values[key]).map((key) => [key, place(values[key])]));
+  const camera = Object.fromEntries(
+    ['eye', 'target'].filter((key) => values[key]).map((key) => [key, place(values[key])]),
+  );
   const server = await serve();
   const browser = await launch(values.browser);
   try {
-    const { ours, source, ratios } = await race(await openPair(browser, server.url, { ...values, camera }), Number(values.rounds));
+    const { ours, source, ratios } = await race(
+      await openPair(browser, server.url, { ...values, camera }),
+      Number(values.rounds),
+    );
     const all = ratios.map((ratio) => ratio.toFixed(2)).join(' ');
-    console.log(`${median(ratios).toFixed(2)} times as fast (${all}): ${median(source).toFixed(0)} ms, ${median(ours).toFixed(0)} ms`);
+    console.log(
+      `${median(ratios).toFixed(2)} times as fast (${all}): ` +
+        `${median(source).toFixed(0)} ms, ${median(ours).toFixed(0)} ms`,
+    );
   } finally {
     await browser.close();
     await server.close();

@@ -11,10 +11,17 @@ import { launch, openPage, programOf } from './browsers.mjs';
 import { merged } from './merge_results.mjs';
 import { serve, site } from './server.mjs';
 
-const done = 0, inputWrong = 1, commandLineWrong = 2, noBrowser = 3, interrupted = 130;
+const done = 0,
+  inputWrong = 1,
+  commandLineWrong = 2,
+  noBrowser = 3,
+  interrupted = 130;
 const silentMs = 300_000; // a page that says nothing for so long is dead
-const standardSeconds = 300, mostSeconds = 86_400, mostRounds = 10_000;
-const standardRounds = 15, standardGoes = 3;
+const standardSeconds = 300,
+  mostSeconds = 86_400,
+  mostRounds = 10_000;
+const standardRounds = 15,
+  standardGoes = 3;
 const gnomon = process.env.GNOMON_BINARY ?? fileURLToPath(new URL('../../build/native/gnomon', import.meta.url));
 
 const usage = `usage: scripts/bench-web [SCENE …] [--depth=1,4] [--shadows=off,hard] [--size=400x300] [--KEY=VALUE,… …]
@@ -43,7 +50,7 @@ const refuse = (code, message) => {
   throw new Refusal(code, message);
 };
 
-// --- the command line -------------------------------------------------------------------------------------------------
+// --- the command line ------------------------------------------------------------------------------------------------
 
 const plurals = { depths: 'depth', sizes: 'size', browser: 'browsers' };
 
@@ -52,8 +59,12 @@ function readArguments(words) {
   for (const word of words) {
     const match = /^--([\w-]+)(?:=(.*))?$/s.exec(word);
     if (word === '-h' || word === '--help') options.help = true;
-    else if (!match) word.startsWith('-') ? refuse(commandLineWrong, `command line: there is no option ${word}`) : options.scenes.push(word);
-    else if (match[2] === undefined) refuse(commandLineWrong, `command line: ${match[1]}: has no value; write it as --${match[1]}=VALUE`);
+    else if (!match)
+      word.startsWith('-')
+        ? refuse(commandLineWrong, `command line: there is no option ${word}`)
+        : options.scenes.push(word);
+    else if (match[2] === undefined)
+      refuse(commandLineWrong, `command line: ${match[1]}: has no value; write it as --${match[1]}=VALUE`);
     else options.values[plurals[match[1]] ?? match[1]] = match[2];
   }
   return options;
@@ -74,7 +85,8 @@ function countOf(values, key, most) {
 }
 
 function checkFile(file) {
-  if (file && !existsSync(dirname(file))) refuse(commandLineWrong, `command line: ${file}: there is no folder ${dirname(file)}; make it first`);
+  if (file && !existsSync(dirname(file)))
+    refuse(commandLineWrong, `command line: ${file}: there is no folder ${dirname(file)}; make it first`);
   return file;
 }
 
@@ -87,15 +99,29 @@ function readOptions(words) {
   const goes = Math.min(countOf(values, 'goes', mostRounds) ?? standardGoes, repeats ?? standardRounds);
   const limit = countOf(values, 'limit', mostSeconds) ?? (repeats ? mostSeconds : standardSeconds);
   const files = { json: checkFile(take(values, 'json')), html: checkFile(take(values, 'html')) };
-  const options = { scenes: scenes.length ? scenes : ['lite', 'pro'], browsers, repeats: repeats ?? standardRounds, goes, limit, baseline: take(values, 'baseline', ''), files, values };
-  if (files.html && !existsSync(gnomon)) refuse(inputWrong, `${gnomon}: --html needs the desktop program; build it with scripts/build native-release`);
+  const options = {
+    scenes: scenes.length ? scenes : ['lite', 'pro'],
+    browsers,
+    repeats: repeats ?? standardRounds,
+    goes,
+    limit,
+    baseline: take(values, 'baseline', ''),
+    files,
+    values,
+  };
+  if (files.html && !existsSync(gnomon))
+    refuse(inputWrong, `${gnomon}: --html needs the desktop program; build it with scripts/build native-release`);
   const folder = process.env.GNOMON_SITE ?? site;
-  if (!existsSync(join(folder, 'index.html'))) refuse(inputWrong, `${folder}: there is no page; build it with scripts/build web-release`);
+  if (!existsSync(join(folder, 'index.html')))
+    refuse(inputWrong, `${folder}: there is no page; build it with scripts/build web-release`);
   for (const name of browsers)
     try {
       programOf(name);
     } catch (error) {
-      refuse(name in { chromium: 1, firefox: 1 } ? noBrowser : commandLineWrong, `command line: browsers: ${error.message}`);
+      refuse(
+        name in { chromium: 1, firefox: 1 } ? noBrowser : commandLineWrong,
+        `command line: browsers: ${error.message}`,
+      );
     }
   return options;
 }
@@ -104,11 +130,19 @@ function readOptions(words) {
 function commandOf({ browsers, repeats, goes, limit, baseline }, plan) {
   const inShell = (word) => (/^[\w./-]+$/.test(word) ? word : `'${word}'`);
   const settings = Object.entries(plan.values).map(([key, value]) => `--${key}=${value}`);
-  return ['scripts/bench-web', ...plan.scenes.map(inShell), `--browsers=${browsers.join(',')}`, ...settings,
-    ...(baseline ? [`--baseline=${baseline}`] : []), `--repeats=${repeats}`, ...(goes === Math.min(standardGoes, repeats) ? [] : [`--goes=${goes}`]), ...(limit < mostSeconds ? [`--limit=${limit}`] : [])].join(' ');
+  return [
+    'scripts/bench-web',
+    ...plan.scenes.map(inShell),
+    `--browsers=${browsers.join(',')}`,
+    ...settings,
+    ...(baseline ? [`--baseline=${baseline}`] : []),
+    `--repeats=${repeats}`,
+    ...(goes === Math.min(standardGoes, repeats) ? [] : [`--goes=${goes}`]),
+    ...(limit < mostSeconds ? [`--limit=${limit}`] : []),
+  ].join(' ');
 }
 
-// --- what is told -----------------------------------------------------------------------------------------------------
+// --- what is told ----------------------------------------------------------------------------------------------------
 
 const terminal = process.stderr.isTTY;
 const clear = () => terminal && process.stderr.write('\r\x1b[K');
@@ -119,7 +153,11 @@ function tell(name, { stage, done: count, all, secondsLeft, row }) {
   if (Date.now() - toldAt < (terminal ? 100 : 10_000)) return;
   toldAt = Date.now();
   const left = stage === 'drawing' ? `, ${Math.ceil(secondsLeft)} s left` : '';
-  process.stderr.write(`${terminal ? '\r' : 'bench-web: '}${name}: ${stage} ${count} of ${all}${left} (${row})${terminal ? '\x1b[K' : '\n'}`);
+  process.stderr.write(
+    (terminal ? '\r' : 'bench-web: ') +
+      `${name}: ${stage} ${count} of ${all}${left} (${row})` +
+      (terminal ? '\x1b[K' : '\n'),
+  );
 }
 
 const complain = (text) => (clear(), console.error(`bench-web: error: ${text}`));
@@ -128,26 +166,44 @@ function print(name, results) {
   const { columns, rows, keys } = results.tables[0];
   const at = (key) => columns.findIndex((column) => column.key === key);
   const figure = (value) => (typeof value !== 'number' ? '–' : value >= 100 ? value.toFixed(0) : value.toPrecision(3));
-  const spread = (row, key) => `${figure(row[at(key)])} (${figure(row[at(`${key}_low`)])}…${figure(row[at(`${key}_high`)])})`;
+  const spread = (row, key) =>
+    `${figure(row[at(key)])} (${figure(row[at(`${key}_low`)])}…${figure(row[at(`${key}_high`)])})`;
   const lines = [
     [...columns.slice(0, keys).map(({ title }) => title), 'FPS', 'frame, ms', 'ratio'],
-    ...rows.map((row) => [...row.slice(0, keys).map(String), figure(row[at('fps')]), spread(row, 'frame'), spread(row, 'ratio')]),
+    ...rows.map((row) => [
+      ...row.slice(0, keys).map(String),
+      figure(row[at('fps')]),
+      spread(row, 'frame'),
+      spread(row, 'ratio'),
+    ]),
   ];
   const widths = lines[0].map((_, column) => Math.max(...lines.map((line) => line[column].length)));
   const { renderer, browser, clock } = results.environment;
   console.log(`\n${name}\nrenderer   ${renderer}\nbrowser    ${browser}\nclock      ${clock}\n`);
-  for (const line of lines) console.log(line.map((text, column) => text.padEnd(widths[column])).join('  ').trimEnd());
+  for (const line of lines)
+    console.log(
+      line
+        .map((text, column) => text.padEnd(widths[column]))
+        .join('  ')
+        .trimEnd(),
+    );
 }
 
-// --- browsers ---------------------------------------------------------------------------------------------------------
+// --- browsers --------------------------------------------------------------------------------------------------------
 
 const contextOf = (name) => `webgl2-${name}`;
 
 /** One go of the page at `asked`: { results, series, refused: text, dead: the last row told }, where it died. */
 async function measureOnce(browser, url, asked, name, { onround, onplan, onstop }) {
-  let last, heard = Date.now(), kept = {}, finish;
+  let last,
+    heard = Date.now(),
+    kept = {},
+    finish;
   const ended = new Promise((resolve) => (finish = resolve));
-  const page = await openPage(browser, `${url}?size=64x48&pause=on&depth=1&shadows=off`, { expectErrors: [/./], ready: false });
+  const page = await openPage(browser, `${url}?size=64x48&pause=on&depth=1&shadows=off`, {
+    expectErrors: [/./],
+    ready: false,
+  });
   const gone = () => finish({ dead: last });
   page.on('error', gone);
   page.on('close', gone);
@@ -173,8 +229,18 @@ async function measureOnce(browser, url, asked, name, { onround, onplan, onstop 
       window.benchTold(told);
     };
     window.gnomon.ready
-      .then(() => window.gnomon.compare({ ...asked, signal: stop.signal, onprogress, onround: (...round) => void window.benchRound(...round) }))
-      .then(() => window.benchEnded({}), (error) => window.benchEnded({ refused: error.message }));
+      .then(() =>
+        window.gnomon.compare({
+          ...asked,
+          signal: stop.signal,
+          onprogress,
+          onround: (...round) => void window.benchRound(...round),
+        }),
+      )
+      .then(
+        () => window.benchEnded({}),
+        (error) => window.benchEnded({ refused: error.message }),
+      );
   }, asked);
   onstop(() => page.evaluate(() => window.benchStop()).catch(gone));
   const watch = setInterval(() => Date.now() - heard > silentMs && gone(), 1000);
@@ -201,12 +267,24 @@ async function inBrowser(name, work) {
 async function measure(options, url, name, deadline, hooks) {
   const { scenes, baseline, repeats, goes } = options;
   const leaveOut = [];
-  const asked = { ...options.values, scenes, baseline, repeats, goes, context: contextOf(name), contexts: options.browsers.map(contextOf), leaveOut, place: 'command line' };
+  const asked = {
+    ...options.values,
+    scenes,
+    baseline,
+    repeats,
+    goes,
+    context: contextOf(name),
+    contexts: options.browsers.map(contextOf),
+    leaveOut,
+    place: 'command line',
+  };
   let results, earlier;
-  for (let go = 1; go <= goes && !hooks.stopped(); ) {
+  for (let go = 1; go <= goes && !hooks.stopped();) {
     if (go > 1 && Date.now() > deadline) break;
     const limit = Math.max(1, Math.round((deadline - Date.now()) / 1000 / (goes - go + 1)));
-    const end = await inBrowser(name, (browser) => measureOnce(browser, url, { ...asked, go, limit, earlier }, name, hooks));
+    const end = await inBrowser(name, (browser) =>
+      measureOnce(browser, url, { ...asked, go, limit, earlier }, name, hooks),
+    );
     if (end.refused) refuse(/there is no scene/.test(end.refused) ? inputWrong : commandLineWrong, end.refused.trim());
     results = end.results ?? results;
     if (!('dead' in end)) {
@@ -215,20 +293,24 @@ async function measure(options, url, name, deadline, hooks) {
       continue;
     }
     if (hooks.stopped()) break;
-    complain(`${name}: the page died${end.dead ? ` of ${end.dead.row}: this row is left out, the others begin anew` : ''}`);
+    complain(
+      `${name}: the page died${end.dead ? ` of ${end.dead.row}: this row is left out, the others begin anew` : ''}`,
+    );
     if (!end.dead || Date.now() > deadline) break;
     leaveOut.push(end.dead.number);
   }
   return results;
 }
 
-// --- all together -----------------------------------------------------------------------------------------------------
+// --- all together ----------------------------------------------------------------------------------------------------
 
 async function run(options) {
   const deadline = Date.now() + options.limit * 1000;
   const server = await serve({ isolated: true });
   const finished = [];
-  let plan, stopped = false, stop = () => {};
+  let plan,
+    stopped = false,
+    stop = () => {};
   const onSignal = () => {
     if (stopped) process.exit(interrupted); // once more ends the program
     stopped = true;
@@ -236,7 +318,8 @@ async function run(options) {
   };
   process.on('SIGINT', onSignal);
   const whole = (all) => merged(all, commandOf(options, plan));
-  const write = (all) => options.files.json && all.length && writeFileSync(options.files.json, `${JSON.stringify(whole(all), null, 1)}\n`);
+  const write = (all) =>
+    options.files.json && all.length && writeFileSync(options.files.json, `${JSON.stringify(whole(all), null, 1)}\n`);
   try {
     for (const [i, name] of options.browsers.entries()) {
       if (stopped) break;

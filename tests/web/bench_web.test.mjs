@@ -23,20 +23,42 @@ describe('scripts/bench-web', () => {
 
   test('writes one file of results of several browsers, with the columns of the desktop', () => {
     const [json, html] = ['all.json', 'all.html'].map((file) => join(folder, file));
-    const { status, stdout, stderr } = run(...tiny, `--browsers=${browserNames.join(',')}`, '--repeats=3', '--goes=2', '--baseline=shadows=hard', `--json=${json}`, `--html=${html}`);
+    const { status, stdout, stderr } = run(
+      ...tiny,
+      `--browsers=${browserNames.join(',')}`,
+      '--repeats=3',
+      '--goes=2',
+      '--baseline=shadows=hard',
+      `--json=${json}`,
+      `--html=${html}`,
+    );
     assert.equal(status, 0, stderr);
     assert.match(stdout, /Times are medians.*3 of 3/);
     const all = read('all.json');
     const names = browserNames.map((name) => `webgl2-${name}`);
-    assert.equal(all.command, `scripts/bench-web lite --browsers=${browserNames.join(',')} --depth=1 --shadows=off,hard --size=32x24 --baseline=shadows=hard --repeats=3 --goes=2`);
-    assert.deepEqual(all.tables[0].rows.map((row) => row.slice(0, 5)), names.flatMap((name) => ['off', 'hard'].map((shadows) => ['lite', name, '32x24', 1, shadows])));
+    assert.equal(
+      all.command,
+      `scripts/bench-web lite --browsers=${browserNames.join(',')} --depth=1 --shadows=off,hard --size=32x24 ` +
+        '--baseline=shadows=hard --repeats=3 --goes=2',
+    );
+    assert.deepEqual(
+      all.tables[0].rows.map((row) => row.slice(0, 5)),
+      names.flatMap((name) => ['off', 'hard'].map((shadows) => ['lite', name, '32x24', 1, shadows])),
+    );
     assert.equal(all.environment.rounds, names.map((name) => `${name} 3 of 3`).join(', '));
     const passes = all.tables[0].columns.findIndex(({ key }) => key === 'passes');
-    assert.deepEqual(all.tables[0].rows.map((row) => row[passes]), all.tables[0].rows.map(() => 2), 'a browser of its own for each go');
+    assert.deepEqual(
+      all.tables[0].rows.map((row) => row[passes]),
+      all.tables[0].rows.map(() => 2),
+      'a browser of its own for each go',
+    );
     assert.equal(all.charts.length, names.length, 'one for each browser');
     const native = join(folder, 'native.json');
     execFileSync(gnomon, ['bench', ...tiny, '--repeats=1', '--baseline=shadows=hard', `--json=${native}`]);
-    assert.deepEqual(all.tables[0].columns.filter(({ key }) => key !== 'gpu'), read('native.json').tables[0].columns);
+    assert.deepEqual(
+      all.tables[0].columns.filter(({ key }) => key !== 'gpu'),
+      read('native.json').tables[0].columns,
+    );
     assert.match(readFileSync(html, 'utf8'), /gnomon-results/);
     execFileSync(gnomon, ['report', native, json, '-o', join(folder, 'both.html')]);
   });
@@ -46,7 +68,8 @@ describe('scripts/bench-web', () => {
     const bench = spawn(script, [...tiny, `--browsers=${browserNames[0]}`, '--repeats=10000', `--json=${json}`]);
     let said = '';
     bench.stdout.on('data', (data) => (said += data));
-    while (!existsSync(json) && bench.exitCode === null) await new Promise((resolve) => setTimeout(resolve, 50)); // after the first round
+    // It is there after the first round.
+    while (!existsSync(json) && bench.exitCode === null) await new Promise((resolve) => setTimeout(resolve, 50));
     bench.kill('SIGINT');
     const code = await new Promise((resolve) => bench.once('exit', resolve));
     assert.equal(code, 130, said);
@@ -90,12 +113,23 @@ describe('scripts/bench-web', () => {
 
 test('results of several browsers become one, also where only one of them times its GPU', () => {
   const result = (context, columns, row) => ({
-    environment: { context, system: 'x', gl: `of ${context}` }, tables: [{ name: 'bench', columns: columns.map((key) => ({ key })), rows: [row] }],
+    environment: { context, system: 'x', gl: `of ${context}` },
+    tables: [{ name: 'bench', columns: columns.map((key) => ({ key })), rows: [row] }],
     charts: ['a', 'b', 'c'].map((name) => ({ where: { context: name } })),
   });
-  const one = merged([result('a', ['scene', 'fps'], ['lite', 1]), result('b', ['scene', 'fps', 'gpu'], ['lite', 2, 3])], 'again');
-  assert.deepEqual(one.tables[0].rows, [['lite', 1, null], ['lite', 2, 3]]);
+  const one = merged(
+    [result('a', ['scene', 'fps'], ['lite', 1]), result('b', ['scene', 'fps', 'gpu'], ['lite', 2, 3])],
+    'again',
+  );
+  assert.deepEqual(one.tables[0].rows, [
+    ['lite', 1, null],
+    ['lite', 2, 3],
+  ]);
   assert.deepEqual(one.environment, { context: 'a; b', system: 'x', gl: 'a: of a; b: of b' });
-  assert.deepEqual(one.charts.map(({ where }) => where.context), ['a', 'b'], 'c was never measured');
+  assert.deepEqual(
+    one.charts.map(({ where }) => where.context),
+    ['a', 'b'],
+    'c was never measured',
+  );
   assert.equal(one.command, 'again');
 });

@@ -1,8 +1,10 @@
-// Real browsers for the tests: Chromium without a window, Firefox in a virtual screen of its own (WebGL needs one there).
+// Real browsers for the tests: Chromium without a window, Firefox in a virtual screen of its own (WebGL needs one
+// there).
 //
 //   const browser = await launch('firefox');
-//   const page = await openPage(browser, url);      // fails the test on any console error, page error or foreign request
-//   …; page.verify(); await browser.close();
+//   const page = await openPage(browser, url); // gathers console errors, page errors and foreign requests
+//   …; page.verify();                          // throws where there are any
+//   await browser.close();
 import { mkdtemp, rm } from 'node:fs/promises';
 import { spawn } from 'node:child_process';
 import { tmpdir } from 'node:os';
@@ -18,8 +20,10 @@ export const patienceMs = 60_000;
 
 const firstOf = (paths) => paths.find((path) => existsSync(path));
 const programs = {
-  chromium: process.env.CHROMIUM ?? firstOf(['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome']),
-  firefox: process.env.FIREFOX ?? firstOf(['/usr/lib/firefox-esr/firefox-esr', '/usr/bin/firefox-esr', '/usr/bin/firefox']),
+  chromium:
+    process.env.CHROMIUM ?? firstOf(['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome']),
+  firefox:
+    process.env.FIREFOX ?? firstOf(['/usr/lib/firefox-esr/firefox-esr', '/usr/bin/firefox-esr', '/usr/bin/firefox']),
 };
 
 const chromiumArguments = [
@@ -57,7 +61,8 @@ const firefoxPreferences = {
 
 /** The program of that browser; throws with what to do where there is none. */
 export function programOf(name) {
-  if (!(name in programs)) throw new Error(`there is no browser '${name}' here; use ${Object.keys(programs).join(' or ')}`);
+  if (!(name in programs))
+    throw new Error(`there is no browser '${name}' here; use ${Object.keys(programs).join(' or ')}`);
   const variable = name.toUpperCase();
   if (!programs[name]) throw new Error(`${name} is not installed; install it, or set ${variable} to its path`);
   if (!existsSync(programs[name])) throw new Error(`${variable}=${programs[name]}: there is no such program`);
@@ -91,16 +96,29 @@ export async function launch(name, { calm = false, handleSIGINT = true } = {}) {
   const screen = name === 'firefox' ? await startScreen() : null;
   const settings =
     name === 'firefox'
-      ? { browser: 'firefox', headless: false, extraPrefsFirefox: { ...firefoxPreferences, ...(calm ? { 'ui.prefersReducedMotion': 1 } : {}) },
-          env: { ...process.env, DISPLAY: screen.display, MOZ_X11_EGL: '0' } }
-      : { browser: 'chrome', headless: true, args: [...chromiumArguments, ...(calm ? ['--force-prefers-reduced-motion'] : [])] };
+      ? {
+          browser: 'firefox',
+          headless: false,
+          extraPrefsFirefox: { ...firefoxPreferences, ...(calm ? { 'ui.prefersReducedMotion': 1 } : {}) },
+          env: { ...process.env, DISPLAY: screen.display, MOZ_X11_EGL: '0' },
+        }
+      : {
+          browser: 'chrome',
+          headless: true,
+          args: [...chromiumArguments, ...(calm ? ['--force-prefers-reduced-motion'] : [])],
+        };
   const tidy = async () => {
     screen?.stop();
     await rm(profile, { recursive: true, force: true, maxRetries: 5, retryDelay: 200 });
   };
   try {
     const browser = await puppeteer.launch({
-      ...settings, handleSIGINT, executablePath: program, userDataDir: profile, timeout: patienceMs, protocolTimeout: 3 * patienceMs,
+      ...settings,
+      handleSIGINT,
+      executablePath: program,
+      userDataDir: profile,
+      timeout: patienceMs,
+      protocolTimeout: 3 * patienceMs,
     });
     const close = browser.close.bind(browser);
     browser.close = async () => {
@@ -121,7 +139,11 @@ export async function launch(name, { calm = false, handleSIGINT = true } = {}) {
  * @param options.before runs with the page before it loads
  * @param options.ready false: does not wait
  */
-export async function openPage(browser, url, { expectErrors = [], before, ready = true, viewport = { width: 640, height: 480 } } = {}) {
+export async function openPage(
+  browser,
+  url,
+  { expectErrors = [], before, ready = true, viewport = { width: 640, height: 480 } } = {},
+) {
   const page = await browser.newPage();
   const faults = [];
   const fault = (text) => expectErrors.some((pattern) => pattern.test(text)) || faults.push(text);

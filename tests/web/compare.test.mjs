@@ -5,8 +5,9 @@ import { execFileSync } from 'node:child_process';
 import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { browserNames, differences, launch, openPage, picture, until } from './browsers.mjs';
+import { browserNames, differences, openPage, picture, until } from './browsers.mjs';
 import { serve } from './server.mjs';
+import { sharedBrowser } from './shared_browser.mjs';
 
 const gnomon = process.env.GNOMON_BINARY ?? 'build/native/gnomon';
 const tiny = { scenes: ['lite'], size: '32x24', depth: [1, 4], shadows: 'off,hard' };
@@ -18,17 +19,25 @@ for (const name of browserNames)
     before(async () => {
       folder = mkdtempSync(join(tmpdir(), 'gnomon-compare-'));
       server = await serve({ isolated: true });
-      browser = await launch(name);
+      browser = await sharedBrowser(name);
       page = await openPage(browser, `${server.url}?size=64x48&pause=on&time=1&eye=0,1,30`);
     });
     after(async () => {
-      await browser?.close();
+      await page?.close();
       await server?.close();
       rmSync(folder, { recursive: true, force: true });
     });
 
     const compare = (options) => page.evaluate((asked) => window.gnomon.compare(asked), options);
-    const refusal = (options) => page.evaluate((asked) => window.gnomon.compare(asked).then(() => 'taken', ({ message }) => message), options);
+    const refusal = (options) =>
+      page.evaluate(
+        (asked) =>
+          window.gnomon.compare(asked).then(
+            () => 'taken',
+            ({ message }) => message,
+          ),
+        options,
+      );
     const at = (key) => results.tables[0].columns.findIndex((column) => column.key === key);
 
     test('measures a row for every combination, tells how far it is, and leaves the view as it was', async () => {
@@ -36,16 +45,29 @@ for (const name of browserNames)
       const settings = await page.evaluate(() => window.gnomon.settings());
       const told = await page.evaluate(async (asked) => {
         const told = [];
-        const results = await window.gnomon.compare({ ...asked, repeats: 3, onprogress: (progress) => told.push(progress) });
+        const results = await window.gnomon.compare({
+          ...asked,
+          repeats: 3,
+          onprogress: (progress) => told.push(progress),
+        });
         return { told, results };
       }, tiny);
       results = told.results;
       const { rows, keys } = results.tables[0];
       const context = `webgl2-${name}`;
-      assert.deepEqual(rows.map((row) => row.slice(0, keys)), [
-        ['lite', context, '32x24', 1, 'off'], ['lite', context, '32x24', 1, 'hard'],
-        ['lite', context, '32x24', 4, 'off'], ['lite', context, '32x24', 4, 'hard']]);
-      assert.equal(results.command, "gnomon.compare({ scenes: 'lite', depth: '1,4', shadows: 'off,hard', size: '32x24', repeats: 3 })");
+      assert.deepEqual(
+        rows.map((row) => row.slice(0, keys)),
+        [
+          ['lite', context, '32x24', 1, 'off'],
+          ['lite', context, '32x24', 1, 'hard'],
+          ['lite', context, '32x24', 4, 'off'],
+          ['lite', context, '32x24', 4, 'hard'],
+        ],
+      );
+      assert.equal(
+        results.command,
+        "gnomon.compare({ scenes: 'lite', depth: '1,4', shadows: 'off,hard', size: '32x24', repeats: 3 })",
+      );
       assert.equal(results.environment.rounds, `${context} 3 of 3`);
 
       const [planned, ...steps] = told.told;
@@ -68,7 +90,10 @@ for (const name of browserNames)
       const [first] = results.tables[0].rows;
       assert.equal(first[at('ratio')], 1);
       assert.ok(Math.abs(first[at('fps')] - 1000 / first[at('frame')]) < 1e-6);
-      assert.ok(results.tables[0].rows.every((row) => row[at('cpu')] === null), 'no page can tell');
+      assert.ok(
+        results.tables[0].rows.every((row) => row[at('cpu')] === null),
+        'no page can tell',
+      );
     });
 
     test('is a file of results that the desktop reports beside its own, column by column', () => {
@@ -81,7 +106,14 @@ for (const name of browserNames)
       assert.match(against, /the same within noise/);
       const ours = JSON.parse(execFileSync('cat', [native], { encoding: 'utf8' }));
       const { columns, name: table, keys } = ours.tables[0];
-      assert.deepEqual({ columns: results.tables[0].columns.filter(({ key }) => key !== 'gpu'), table: results.tables[0].name, keys: results.tables[0].keys }, { columns, table, keys });
+      assert.deepEqual(
+        {
+          columns: results.tables[0].columns.filter(({ key }) => key !== 'gpu'),
+          table: results.tables[0].name,
+          keys: results.tables[0].keys,
+        },
+        { columns, table, keys },
+      );
       assert.deepEqual(results.charts, ours.charts);
     });
 
@@ -108,7 +140,11 @@ for (const name of browserNames)
         const stop = new AbortController();
         const rounds = [];
         const results = await window.gnomon.compare({
-          ...asked, depth: 1, repeats: 1000, signal: stop.signal, onround: (round) => (rounds.push(round), rounds.length === 2 && stop.abort()),
+          ...asked,
+          depth: 1,
+          repeats: 1000,
+          signal: stop.signal,
+          onround: (round) => (rounds.push(round), rounds.length === 2 && stop.abort()),
         });
         return { results, rounds };
       }, tiny);
@@ -120,11 +156,15 @@ for (const name of browserNames)
     });
 
     test('goes on in another load of the page with what it measured in this one', async () => {
-      const goes = (options) => page.evaluate(async (asked) => {
-        let series;
-        const results = await window.gnomon.compare({ ...asked, onround: (_, all) => (series = all) });
-        return { series, results };
-      }, { ...tiny, repeats: 3, goes: 2, ...options });
+      const goes = (options) =>
+        page.evaluate(
+          async (asked) => {
+            let series;
+            const results = await window.gnomon.compare({ ...asked, onround: (_, all) => (series = all) });
+            return { series, results };
+          },
+          { ...tiny, repeats: 3, goes: 2, ...options },
+        );
       const first = await goes({ go: 1 });
       assert.equal(first.results.environment.rounds, `webgl2-${name} 2 of 3`);
       await page.reload();
@@ -132,10 +172,21 @@ for (const name of browserNames)
       const second = await goes({ go: 2, earlier: first.series });
       assert.equal(second.results.environment.rounds, `webgl2-${name} 3 of 3`);
       for (const row of second.results.tables[0].rows) assert.deepEqual([row[at('rounds')], row[at('passes')]], [3, 2]);
-      const numbers = (series) => series.trim().split('\n').map((line) => line.trim().split(' '));
+      const numbers = (series) =>
+        series
+          .trim()
+          .split('\n')
+          .map((line) => line.trim().split(' '));
       const [before, both] = [numbers(first.series), numbers(second.series)];
-      assert.deepEqual(both.map((line) => line.slice(0, 1).concat(line.slice(2, 6), line.slice(7, 9))), before.map((line) => line.slice(0, 1).concat(line.slice(2, 6), line.slice(7, 9))), 'the earlier frames stand first');
-      assert.match(await refusal({ ...tiny, repeats: 3, goes: 2, go: 2, earlier: '1 2 three' }), /earlier: these are not the rows that are measured here/);
+      assert.deepEqual(
+        both.map((line) => line.slice(0, 1).concat(line.slice(2, 6), line.slice(7, 9))),
+        before.map((line) => line.slice(0, 1).concat(line.slice(2, 6), line.slice(7, 9))),
+        'the earlier frames stand first',
+      );
+      assert.match(
+        await refusal({ ...tiny, repeats: 3, goes: 2, go: 2, earlier: '1 2 three' }),
+        /earlier: these are not the rows that are measured here/,
+      );
     });
 
     test('goes on without the row that takes the context with it', async () => {
@@ -145,7 +196,8 @@ for (const name of browserNames)
         let lost = false;
         const onprogress = (progress) => {
           if (progress.stage === 'problem') told.push(progress.text);
-          if (lost || progress.stage !== 'drawing' || progress.row !== 'lite, size 32x24, depth 1, shadows hard') return;
+          if (lost || progress.stage !== 'drawing' || progress.row !== 'lite, size 32x24, depth 1, shadows hard')
+            return;
           lost = true;
           loser.loseContext();
           setTimeout(() => loser.restoreContext(), 100);
@@ -153,10 +205,19 @@ for (const name of browserNames)
         const results = await window.gnomon.compare({ ...asked, repeats: 3, onprogress });
         return { results, told };
       }, tiny);
-      assert.deepEqual(after.told, ['lite, size 32x24, depth 1, shadows hard: the graphics context was lost while this was drawn']);
+      assert.deepEqual(after.told, [
+        'lite, size 32x24, depth 1, shadows hard: the graphics context was lost while this was drawn',
+      ]);
       assert.equal(after.results.environment['left out'], after.told[0]);
       const { rows, columns } = after.results.tables[0];
-      assert.deepEqual(rows.map((row) => row.slice(3, 5)), [[1, 'off'], [4, 'off'], [4, 'hard']]);
+      assert.deepEqual(
+        rows.map((row) => row.slice(3, 5)),
+        [
+          [1, 'off'],
+          [4, 'off'],
+          [4, 'hard'],
+        ],
+      );
       for (const row of rows) assert.equal(row[columns.findIndex(({ key }) => key === 'rounds')], 3);
       await until('the view', () => page.evaluate(() => window.gnomon.settled().then(() => true)));
     });
@@ -166,19 +227,32 @@ for (const name of browserNames)
       await page.waitForSelector('#compare-dialog[open]');
       await page.evaluate(() => {
         for (const box of document.querySelectorAll('#compare-dialog input'))
-          box.checked = { scenes: ['lite'], depth: ['1', '2'], shadows: ['off'], size: ['400x300'] }[box.name].includes(box.value);
+          box.checked = { scenes: ['lite'], depth: ['1', '2'], shadows: ['off'], size: ['400x300'] }[box.name].includes(
+            box.value,
+          );
         document.querySelector('#compare-dialog form').dispatchEvent(new Event('change'));
       });
       const textOf = (selector) => page.$eval(selector, (element) => element.textContent);
       assert.equal(await textOf('#compare-dialog .count'), '2 rows');
       await page.click('#compare-dialog footer .main');
-      await until('the second round', async () => /Drawing ([6-9]|\d\d) of 32, about/.test(await textOf('#compare-dialog')));
+      await until('the second round', async () =>
+        /Drawing ([6-9]|\d\d) of 32, about/.test(await textOf('#compare-dialog')),
+      );
       await page.keyboard.press('Escape'); // stops it, and what is done stands there
       await page.waitForSelector('#compare-dialog tbody tr');
       assert.ok(await page.$eval('#compare-dialog', (dialog) => dialog.open));
-      const cells = await page.$$eval('#compare-dialog tbody tr', (rows) => rows.map((row) => [...row.cells].map((cell) => cell.textContent)));
-      assert.deepEqual(cells.map(([scene, depth]) => [scene, depth]), [['lite', '1'], ['lite', '2']]);
-      for (const [, , fps, frame, ratio] of cells) assert.ok(Number(fps) > 0 && /^[\d.]+…[\d.]+$/.test(frame.slice(frame.length / 3)) && ratio);
+      const cells = await page.$$eval('#compare-dialog tbody tr', (rows) =>
+        rows.map((row) => [...row.cells].map((cell) => cell.textContent)),
+      );
+      assert.deepEqual(
+        cells.map(([scene, depth]) => [scene, depth]),
+        [
+          ['lite', '1'],
+          ['lite', '2'],
+        ],
+      );
+      for (const [, , fps, frame, ratio] of cells)
+        assert.ok(Number(fps) > 0 && /^[\d.]+…[\d.]+$/.test(frame.slice(frame.length / 3)) && ratio);
       const [opened, kept] = await page.evaluate(() => {
         let opened;
         window.open = (address) => (opened = String(address));

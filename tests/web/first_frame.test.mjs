@@ -1,4 +1,5 @@
-// How soon the page shows something, from navigation to the first frame that the GPU has finished, at the size of a window.
+// How soon the page shows something, from navigation to the first frame that the GPU has finished, at the size of a
+// window.
 //
 // Bound  on a software renderer with two cores: lite within 3 s, pro at depth 8 within 6 s
 import { test } from 'node:test';
@@ -20,7 +21,10 @@ for (const name of browserNames)
         const page = await openPage(browser, `${server.url}?${query}`, { viewport: { width: 800, height: 600 } });
         const first = await until('the first frame', () => page.evaluate(() => window.gnomon.firstFrameMs));
         const { compileMs, sourceBytes } = await page.evaluate(() => window.gnomon.stats());
-        console.log(`# ${name} ${query}: ${Math.round(first)} ms; all programs, from source (${sourceBytes} bytes) to the first pixel of each: ${Math.round(compileMs)} ms`);
+        console.log(
+          `# ${name} ${query}: ${Math.round(first)} ms; all programs, from source (${sourceBytes} bytes) ` +
+            `to the first pixel of each: ${Math.round(compileMs)} ms`,
+        );
         assert.ok(first <= ms, `it took ${Math.round(first)} ms`);
         page.verify();
       } finally {

@@ -7,25 +7,26 @@ import { execFileSync, spawnSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
-import { browserNames, launch, openPage } from './browsers.mjs';
+import { browserNames, openPage } from './browsers.mjs';
 import { traceRays } from './rays.mjs';
 import { serve } from './server.mjs';
+import { sharedBrowser } from './shared_browser.mjs';
 
 const corpus = process.env.GNOMON_RAY_CORPUS ?? 'build/native/tests/ray_corpus';
 const raysEach = 1000; // of a class at a distance
 
 for (const name of browserNames)
-  describe(name, () => {
+  describe(`shapes' rays in ${name}`, () => {
     let server, browser, page, folder;
 
     before(async () => {
       folder = mkdtempSync(join(tmpdir(), 'gnomon-rays-'));
       server = await serve();
-      browser = await launch(name);
+      browser = await sharedBrowser(name);
       page = await openPage(browser, `${server.url}?scene=lite&size=64x48&pause=on`);
     });
     after(async () => {
-      await browser?.close();
+      await page?.close();
       await server?.close();
       rmSync(folder, { recursive: true, force: true });
     });
@@ -37,7 +38,10 @@ for (const name of browserNames)
         const bytes = readFileSync(join(folder, `${set}.rays`));
         const rays = new Float32Array(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength));
         const answers = await traceRays(page, readFileSync(join(folder, `${set}.json`), 'utf8'), rays);
-        writeFileSync(join(folder, `${set}.answers`), new Uint8Array(answers.buffer, answers.byteOffset, answers.byteLength));
+        writeFileSync(
+          join(folder, `${set}.answers`),
+          new Uint8Array(answers.buffer, answers.byteOffset, answers.byteLength),
+        );
       }
       const { status, stdout } = spawnSync(corpus, ['judge', folder], { encoding: 'utf8' });
       console.log(stdout.replace(/^/gm, `# ${name}: `));

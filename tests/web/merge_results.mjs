@@ -8,14 +8,19 @@ function mergedEnvironment(runs) {
     if (name === 'rounds') return values.join(', ');
     if (values.every((value) => value === values[0])) return values[0];
     if (name === 'context') return values.join('; ');
-    return runs.map(({ environment }, i) => values[i] && `${environment.context}: ${values[i]}`).filter(Boolean).join('; ');
+    return runs
+      .map(({ environment }, i) => values[i] && `${environment.context}: ${values[i]}`)
+      .filter(Boolean)
+      .join('; ');
   };
   return Object.fromEntries([...names].map((name) => [name, merge(name)]));
 }
 
 /** All rows under the columns of all runs: a browser without timers of the GPU has no such column. */
 function mergedTable(tables) {
-  const { columns, ...table } = tables.reduce((most, next) => (next.columns.length > most.columns.length ? next : most));
+  const { columns, ...table } = tables.reduce((most, next) =>
+    next.columns.length > most.columns.length ? next : most,
+  );
   const rows = tables.flatMap((each) => {
     const places = columns.map(({ key }) => each.columns.findIndex((column) => column.key === key));
     return each.rows.map((row) => places.map((place) => (place < 0 ? null : row[place])));

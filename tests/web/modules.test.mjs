@@ -33,11 +33,17 @@ test('the address holds what differs, and time only while it stands still', () =
   assert.equal(writeQuery({ ...state, paused: true }), 'scene=pro&depth=5&time=1.25&eye=0,1,2&pause=on');
   assert.equal(writeQuery({ ...state, paused: false }), 'scene=pro&depth=5&eye=0,1,2');
   assert.equal(writeQuery({ ...state, paused: false, pausedAtStart: true }), 'scene=pro&depth=5&eye=0,1,2&pause=off');
-  assert.equal(writeQuery({ changed: '', scene: null, size: '160x120', paused: false, pausedAtStart: false }), 'size=160x120');
+  assert.equal(
+    writeQuery({ changed: '', scene: null, size: '160x120', paused: false, pausedAtStart: false }),
+    'size=160x120',
+  );
 });
 
 test('the query is read as scene, size and settings', () => {
   const { scene, size, values } = readQuery('?scene=pro&size=10x20&depth=5');
   assert.deepEqual([scene, size], ['pro', '10x20']);
-  assert.deepEqual(values, [['size', '10x20'], ['depth', '5']]);
+  assert.deepEqual(values, [
+    ['size', '10x20'],
+    ['depth', '5'],
+  ]);
 });

@@ -1,12 +1,14 @@
-// What the browsers' GL makes of the intersectors' arithmetic: ray by ray against doubles, and as the page itself tells.
+// What the browsers' GL makes of the intersectors' arithmetic: ray by ray against doubles, and as the page itself
+// tells.
 //
 // Bound  docs/numerics.md: no wrong decision further than 2^-22 of the size from tangency, surface point within
 //        4 · 2^-23 of the size, o + t d within 1.5 ulp of t
 import { after, before, describe, test } from 'node:test';
 import { strict as assert } from 'node:assert';
 import { body, grazingRay, judge, packed, randomNumbers, solve, traceRays, uniformRay } from './rays.mjs';
-import { browserNames, differences, launch, openPage, picture, until } from './browsers.mjs';
+import { browserNames, differences, openPage, picture, until } from './browsers.mjs';
 import { serve } from './server.mjs';
+import { sharedBrowser } from './shared_browser.mjs';
 
 const far = 10_000;
 const still = 'size=160x120&pause=on&time=1';
@@ -36,22 +38,29 @@ test('the judge sees a textbook re-centring', () => {
 });
 
 for (const name of browserNames)
-  describe(name, () => {
+  describe(`numerics in ${name}`, () => {
     let server, browser, page;
 
     before(async () => {
       server = await serve();
-      browser = await launch(name);
+      browser = await sharedBrowser(name);
       page = await openPage(browser, `${server.url}?scene=pro&${still}`);
     });
     after(async () => {
-      await browser?.close();
+      await page?.close();
       await server?.close();
     });
 
     const rejected = (scene, rays) =>
       page.evaluate(
-        (...asked) => window.gnomon.traceRays(...asked).then(() => '', (error) => error.message), scene, rays);
+        (...asked) =>
+          window.gnomon.traceRays(...asked).then(
+            () => '',
+            (error) => error.message,
+          ),
+        scene,
+        rays,
+      );
 
     test('the read-out says that the numerics are exact, by itself, and the picture stays', async () => {
       const shown = await picture(page);
@@ -160,10 +169,13 @@ for (const name of browserNames)
         });
       const own = await openPage(browser, `${server.url}?${still}`, { before: without });
       try {
-        const { numerics, refused } = await own.evaluate(async (scene) => ({
-          numerics: await window.gnomon.numerics(),
-          refused: await window.gnomon.traceRays(scene, []).catch((error) => error.message),
-        }), bodies.sphere.scene);
+        const { numerics, refused } = await own.evaluate(
+          async (scene) => ({
+            numerics: await window.gnomon.numerics(),
+            refused: await window.gnomon.traceRays(scene, []).catch((error) => error.message),
+          }),
+          bodies.sphere.scene,
+        );
         assert.deepEqual([numerics.measured, numerics.holds], [false, false]);
         for (const text of [numerics.summary, refused]) assert.match(text, /cannot draw float32 pictures/);
         assert.equal(await own.$eval('#numerics', (element) => element.textContent), ' · numerics not measured');

@@ -3,6 +3,7 @@ import { after, before, describe, test } from 'node:test';
 import { strict as assert } from 'node:assert';
 import { browserNames, differences, launch, openPage, picture, until } from './browsers.mjs';
 import { serve } from './server.mjs';
+import { sharedBrowser } from './shared_browser.mjs';
 
 const small = 'size=160x120'; // a software renderer traces it
 const still = `${small}&pause=on`;
@@ -23,16 +24,16 @@ const goHome = async (page) => {
 const spot = { x: 300, y: 240 };
 
 for (const name of browserNames)
-  describe(name, () => {
+  describe(`the page in ${name}`, () => {
     let server, browser, page;
 
     before(async () => {
       server = await serve();
-      browser = await launch(name);
+      browser = await sharedBrowser(name);
       page = await openPage(browser, `${server.url}?${small}`);
     });
     after(async () => {
-      await browser?.close();
+      await page?.close();
       await server?.close();
     });
 
@@ -50,8 +51,14 @@ for (const name of browserNames)
 
     test('draws, and complains of nothing', async () => {
       await until('the first frame', () => page.evaluate(() => window.gnomon.firstFrameMs));
-      const { ms, stats } = await page.evaluate(() => ({ ms: window.gnomon.firstFrameMs, stats: window.gnomon.stats() }));
-      console.log(`# ${name}: first frame after ${Math.round(ms)} ms, shader ${Math.round(stats.compileMs)} ms, ${stats.renderer}`);
+      const { ms, stats } = await page.evaluate(() => ({
+        ms: window.gnomon.firstFrameMs,
+        stats: window.gnomon.stats(),
+      }));
+      console.log(
+        `# ${name}: first frame after ${Math.round(ms)} ms, shader ${Math.round(stats.compileMs)} ms, ` +
+          stats.renderer,
+      );
       const { data, width, height } = await picture(page);
       assert.deepEqual([width, height], [160, 120]);
       assert.ok(new Set(data).size > 50, 'the picture has many values');
@@ -123,7 +130,12 @@ for (const name of browserNames)
 
     test('W A S D move along the view', async () => {
       await set(page, 'depth', '1');
-      for (const [key, axis, sign] of [['w', 2, -1], ['s', 2, 1], ['a', 0, -1], ['d', 0, 1]]) {
+      for (const [key, axis, sign] of [
+        ['w', 2, -1],
+        ['s', 2, 1],
+        ['a', 0, -1],
+        ['d', 0, 1],
+      ]) {
         const way = await walk(key);
         assert.ok(way[axis] * sign > 0.5, `${key}: ${way}`);
         assert.ok(Math.abs(way[2 - axis]) < 1e-3, `${key} goes straight: ${way}`);
@@ -167,13 +179,22 @@ for (const name of browserNames)
       assert.deepEqual(await eyeOf(page), [0, 0, 35]);
 
       await goHome(page);
-      // Two real touch points at once are not possible in every driver: made-up pointers take the same way through the page.
+      // Two real touch points at once are not possible in every driver: made-up pointers take the same way through the
+      // page.
       await page.evaluate(({ x, y }) => {
         const canvas = document.getElementById('view');
         const point = (type, pointerId, dx) =>
-          canvas.dispatchEvent(new PointerEvent(type, {
-            pointerId, pointerType: 'touch', clientX: x + dx, clientY: y, bubbles: true, cancelable: true, isPrimary: pointerId === 71,
-          }));
+          canvas.dispatchEvent(
+            new PointerEvent(type, {
+              pointerId,
+              pointerType: 'touch',
+              clientX: x + dx,
+              clientY: y,
+              bubbles: true,
+              cancelable: true,
+              isPrimary: pointerId === 71,
+            }),
+          );
         point('pointerdown', 71, -30);
         point('pointerdown', 72, 30);
         point('pointermove', 71, -60);
@@ -199,12 +220,15 @@ for (const name of browserNames)
     test('the panel has a control for every setting, and it works', async () => {
       await page.waitForSelector('#panel .lil-gui');
       const { rows, controls } = await page.evaluate(() => ({
-        rows: window.gnomon.table().length, controls: document.querySelectorAll('#panel .lil-controller').length,
+        rows: window.gnomon.table().length,
+        controls: document.querySelectorAll('#panel .lil-controller').length,
       }));
       assert.equal(controls, rows - 2); // size and vsync belong to the window
       await set(page, 'glow', 'on');
       await page.evaluate(() => {
-        const control = [...document.querySelectorAll('#panel .lil-boolean')].find((row) => row.textContent.includes('Glow'));
+        const control = [...document.querySelectorAll('#panel .lil-boolean')].find((row) =>
+          row.textContent.includes('Glow'),
+        );
         control.querySelector('input').click();
       });
       assert.equal(await get(page, 'glow'), 'off');
@@ -221,7 +245,15 @@ for (const name of browserNames)
     });
 
     test('the address restores scene, camera and settings', async () => {
-      for (const [key, value] of [['pause', 'on'], ['time', '1.5'], ['depth', '3'], ['shadows', 'off'], ['glow', 'off'], ['normal-maps', 'on'], ['color-mode', 'bgr']])
+      for (const [key, value] of [
+        ['pause', 'on'],
+        ['time', '1.5'],
+        ['depth', '3'],
+        ['shadows', 'off'],
+        ['glow', 'off'],
+        ['normal-maps', 'on'],
+        ['color-mode', 'bgr'],
+      ])
         await set(page, key, value);
       await set(page, 'eye', '1,2,30');
       await set(page, 'target', '0.5,-1,0');
@@ -229,7 +261,12 @@ for (const name of browserNames)
       await set(page, 'eye', '2,3,9');
       const wanted = await page.evaluate(() => window.gnomon.settings());
       const shown = await picture(page);
-      await until('the address', async () => /scene=torus.*eye=2,3,9/.test(page.url()) || /scene=torus.*eye=2,3,9/.test(await page.evaluate(() => location.search)));
+      await until(
+        'the address',
+        async () =>
+          /scene=torus.*eye=2,3,9/.test(page.url()) ||
+          /scene=torus.*eye=2,3,9/.test(await page.evaluate(() => location.search)),
+      );
       const query = (await page.evaluate(() => location.search)).slice(1);
       assert.ok(!query.includes('normal-maps') && !query.includes('scale'), `only what differs: ${query}`);
       await withPage(query, {}, async (restored) => {
@@ -266,7 +303,12 @@ for (const name of browserNames)
       const options = { expectErrors: [/404/, /nowhere/] };
       await withPage(`${still}&depth=99&shadow=off&scene=nowhere&eye=1,2`, options, async (own) => {
         const said = await textOf(own, '.problems');
-        for (const part of ['depth: 99 is out of range', "did you mean 'shadows'", "no scene 'nowhere'", "'1,2' is not a point"])
+        for (const part of [
+          'depth: 99 is out of range',
+          "did you mean 'shadows'",
+          "no scene 'nowhere'",
+          "'1,2' is not a point",
+        ])
           assert.ok(said.includes(part), `${part} in: ${said}`);
         assert.equal(await own.evaluate(() => window.gnomon.scene), 'lite');
         assert.ok(new Set((await picture(own)).data).size > 50);
@@ -276,7 +318,11 @@ for (const name of browserNames)
     test('a bad scene is told with its place, and the old one stays', async () => {
       const before = await page.evaluate(() => window.gnomon.scene);
       const message = await page.evaluate(() =>
-        window.gnomon.load({ objects: [{ sphere: { center: [0, 0, 0], radius: -1 } }] }).then(() => '', (error) => error.message));
+        window.gnomon.load({ objects: [{ sphere: { center: [0, 0, 0], radius: -1 } }] }).then(
+          () => '',
+          (error) => error.message,
+        ),
+      );
       assert.match(message, /objects\[0\].*radius/);
       assert.equal(await page.evaluate(() => window.gnomon.scene), before);
       await picture(page);
@@ -304,12 +350,16 @@ for (const name of browserNames)
 
     test('the canvas follows window and pixel ratio', async () => {
       const size = (own) => own.$eval('#view', (canvas) => `${canvas.width}x${canvas.height}`);
-      await withPage('pause=on&depth=1&shadows=off', { viewport: { width: 120, height: 90, deviceScaleFactor: 2 } }, async (own) => {
-        await until('240x180', async () => (await size(own)) === '240x180');
-        await own.setViewport({ width: 150, height: 100, deviceScaleFactor: 1 });
-        await until('150x100', async () => (await size(own)) === '150x100');
-        assert.equal((await picture(own)).width, 150);
-      });
+      await withPage(
+        'pause=on&depth=1&shadows=off',
+        { viewport: { width: 120, height: 90, deviceScaleFactor: 2 } },
+        async (own) => {
+          await until('240x180', async () => (await size(own)) === '240x180');
+          await own.setViewport({ width: 150, height: 100, deviceScaleFactor: 1 });
+          await until('150x100', async () => (await size(own)) === '150x100');
+          assert.equal((await picture(own)).width, 150);
+        },
+      );
     });
 
     test('starts paused where the system asks for little motion', async () => {

@@ -1,4 +1,5 @@
-// What a visitor downloads before the first picture, images and scenes left out, must stay small. The report's viewer is not part of it: tests/web/viewer.test.mjs sees that the page does not load it.
+// What a visitor downloads before the first picture, images and scenes left out, must stay small. The report's viewer
+// is not part of it: tests/web/viewer.test.mjs sees that the page does not load it.
 import { gzipSync } from 'node:zlib';
 import { join } from 'node:path';
 import { readdir, readFile } from 'node:fs/promises';
@@ -8,7 +9,13 @@ import { site } from './server.mjs';
 
 const mostKilobytes = 250;
 // Loads when it is asked for.
-const later = ['assets', 'report', 'report.html', join('vendor', 'chart.js'), ...['.js', '.css', '_dialog.js'].map((end) => join('page', `compare${end}`))];
+const later = [
+  'assets',
+  'report',
+  'report.html',
+  join('vendor', 'chart.js'),
+  ...['.js', '.css', '_dialog.js'].map((end) => join('page', `compare${end}`)),
+];
 
 test(`program, shaders and page are at most ${mostKilobytes} KB when compressed`, async () => {
   const folder = process.env.GNOMON_SITE ?? site;
@@ -21,5 +28,9 @@ test(`program, shaders and page are at most ${mostKilobytes} KB when compressed`
   console.log(`# payload: ${kilobytes.toFixed(1)} KB in ${files.length} files`);
   assert.ok(kilobytes <= mostKilobytes, `${kilobytes.toFixed(1)} KB`);
   for (const file of files.filter((name) => name.endsWith('.js')))
-    assert.doesNotMatch(await readFile(file, 'utf8'), /from '\.\/compare/, `${file} loads at once what is to load later`);
+    assert.doesNotMatch(
+      await readFile(file, 'utf8'),
+      /from '\.\/compare/,
+      `${file} loads at once what is to load later`,
+    );
 });

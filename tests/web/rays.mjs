@@ -11,7 +11,10 @@ const float = (a) => a.map(Math.fround);
 
 /** A sphere, or with `major` a torus about `axis`, as the shader has it: its numbers in float32. */
 export function body({ center, radius, major = 0, axis = [0, 0, 1] }) {
-  const middle = float(center), up = unit(float(unit(axis))), minor = Math.fround(radius), ring = Math.fround(major);
+  const middle = float(center),
+    up = unit(float(unit(axis))),
+    minor = Math.fround(radius),
+    ring = Math.fround(major);
   const distance = (point) => {
     const p = add(point, middle, -1);
     if (ring === 0) return Math.hypot(...p) - minor;
@@ -34,7 +37,9 @@ export function randomNumbers(seed = 1) {
 }
 
 const directionFrom = (number) => {
-  const z = number(-1, 1), around = number(0, 2 * Math.PI), r = Math.sqrt(1 - z * z);
+  const z = number(-1, 1),
+    around = number(0, 2 * Math.PI),
+    r = Math.sqrt(1 - z * z);
   return [r * Math.cos(around), r * Math.sin(around), z];
 };
 const ray = (origin, towards) => ({ origin: float(origin), direction: float(unit(towards)) });
@@ -48,7 +53,8 @@ export function uniformRay(shape, far, number) {
 
 /** From `far` away, tangent to the body but for the rounding of its origin. */
 export function grazingRay(shape, far, number) {
-  const out = unit(cross(shape.axis, directionFrom(number))), around = number(0, 2 * Math.PI);
+  const out = unit(cross(shape.axis, directionFrom(number))),
+    around = number(0, 2 * Math.PI);
   const normal = shape.ring ? add(scaled(out, Math.cos(around)), shape.axis, Math.sin(around)) : directionFrom(number);
   const point = add(add(shape.center, out, shape.ring), normal, shape.minor);
   const way = unit(cross(normal, directionFrom(number)));
@@ -59,12 +65,20 @@ export function grazingRay(shape, far, number) {
 export function solve({ distance, center, size }, { origin, direction }) {
   const along = (t) => distance(add(origin, direction, t));
   const middle = dot(add(center, origin, -1), direction) / dot(direction, direction);
-  const samples = 128, reach = 1.02 * size, step = (2 * reach) / samples, from = middle - reach;
-  let tangency = Infinity, outside = from, before = along(from), here = along(from + step);
+  const samples = 128,
+    reach = 1.02 * size,
+    step = (2 * reach) / samples,
+    from = middle - reach;
+  let tangency = Infinity,
+    outside = from,
+    before = along(from),
+    here = along(from + step);
   for (let i = 1; i < samples; ++i) {
-    const t = from + i * step, next = along(t + step);
+    const t = from + i * step,
+      next = along(t + step);
     if (here <= before && here <= next) {
-      const bottom = bottomOf(along, t - step, t + step), depth = along(bottom);
+      const bottom = bottomOf(along, t - step, t + step),
+        depth = along(bottom);
       tangency = Math.min(tangency, Math.abs(depth));
       if (depth < 0) return { hit: true, t: entryBetween(along, outside, bottom), tangency };
     }
@@ -77,7 +91,8 @@ export function solve({ distance, center, size }, { origin, direction }) {
 
 function bottomOf(along, low, high) {
   for (let i = 0; i < 45; ++i) {
-    const a = low + (high - low) / 3, b = high - (high - low) / 3;
+    const a = low + (high - low) / 3,
+      b = high - (high - low) / 3;
     if (along(a) < along(b)) high = b;
     else low = a;
   }

@@ -6,20 +6,29 @@ import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { browserNames, launch, until } from './browsers.mjs';
+import { browserNames, until } from './browsers.mjs';
+import { sharedBrowser } from './shared_browser.mjs';
 
 const gnomon = process.env.GNOMON_BINARY ?? 'build/native/gnomon';
 
 for (const name of browserNames)
-  describe(name, () => {
+  describe(`a report in ${name}`, () => {
     let folder, browser, page;
-    const complaints = [], requests = [];
+    const complaints = [],
+      requests = [];
 
     before(async () => {
       folder = mkdtempSync(join(tmpdir(), 'gnomon-report-'));
       const file = join(folder, 'report.html');
-      execFileSync(gnomon, ['lab', 'intersect', '--shapes=sphere,torus', '--distances=3,100', '--rays=200', `--html=${file}`]);
-      browser = await launch(name);
+      execFileSync(gnomon, [
+        'lab',
+        'intersect',
+        '--shapes=sphere,torus',
+        '--distances=3,100',
+        '--rays=200',
+        `--html=${file}`,
+      ]);
+      browser = await sharedBrowser(name);
       page = await browser.newPage();
       page.on('console', (message) => complaints.push(message.text()));
       page.on('pageerror', (error) => complaints.push(error.message));
@@ -28,7 +37,7 @@ for (const name of browserNames)
       await page.waitForSelector('tbody tr');
     });
     after(async () => {
-      await browser?.close();
+      await page?.close();
       rmSync(folder, { recursive: true, force: true });
     });
 
@@ -43,45 +52,67 @@ for (const name of browserNames)
     });
 
     test('a click on a heading sorts, a second one the other way', async () => {
-      const heading = await page.evaluateHandle(() => [...document.querySelectorAll('section:last-of-type th button')].find((button) => button.textContent.startsWith('distance')));
+      const heading = await page.evaluateHandle(() =>
+        [...document.querySelectorAll('section:last-of-type th button')].find((button) =>
+          button.textContent.startsWith('distance'),
+        ),
+      );
       const index = await heading.evaluate((button) => button.parentElement.cellIndex);
       await heading.click();
       const falling = (await column(index)).map(Number);
-      assert.deepEqual(falling, [...falling].sort((a, b) => b - a));
+      assert.deepEqual(
+        falling,
+        [...falling].sort((a, b) => b - a),
+      );
       assert.equal(falling[0], 100);
       await heading.click();
       assert.equal(Number((await column(index))[0]), 3);
     });
 
     test('every chart has lines', async () => {
-      const drawn = await page.$$eval('canvas', (canvases) => canvases.map((canvas) => {
-        const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
-        let blue = 0;
-        for (let i = 0; i < data.length; i += 4) blue += data[i] < 60 && data[i + 2] > 120 && data[i + 3] > 200;
-        return blue;
-      }));
+      const drawn = await page.$$eval('canvas', (canvases) =>
+        canvases.map((canvas) => {
+          const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+          let blue = 0;
+          for (let i = 0; i < data.length; i += 4) blue += data[i] < 60 && data[i + 2] > 120 && data[i + 3] > 200;
+          return blue;
+        }),
+      );
       assert.equal(drawn.length, 10, 'five charts for each of two shapes');
       for (const blue of drawn) assert.ok(blue > 100, `${drawn}`);
     });
 
     test('says nothing on the console and loads nothing', () => {
       assert.deepEqual(complaints, []);
-      assert.deepEqual(requests.filter((url) => !/^(file|data):/.test(url)), []);
+      assert.deepEqual(
+        requests.filter((url) => !/^(file|data):/.test(url)),
+        [],
+      );
     });
   });
 
 // Several runs, as `gnomon report` puts them on one page.
-describe('a page of several runs', () => {
+describe('a report of several runs', () => {
   let folder, browser, page;
-  const complaints = [], requests = [];
+  const complaints = [],
+    requests = [];
 
   before(async () => {
     folder = mkdtempSync(join(tmpdir(), 'gnomon-report-'));
     const [old, now, file] = ['old.json', 'new.json', 'report.html'].map((name) => join(folder, name));
     for (const json of [old, now])
-      execFileSync(gnomon, ['bench', 'lite', 'shapes', '--depth=1,4', '--shadows=off,hard', '--size=32x24', '--repeats=3', `--json=${json}`]);
+      execFileSync(gnomon, [
+        'bench',
+        'lite',
+        'shapes',
+        '--depth=1,4',
+        '--shadows=off,hard',
+        '--size=32x24',
+        '--repeats=3',
+        `--json=${json}`,
+      ]);
     execFileSync(gnomon, ['report', '--against', old, now, '-o', file]);
-    browser = await launch('chromium');
+    browser = await sharedBrowser('chromium');
     page = await browser.newPage();
     page.on('console', (message) => complaints.push(message.text()));
     page.on('pageerror', (error) => complaints.push(error.message));
@@ -90,15 +121,28 @@ describe('a page of several runs', () => {
     await page.waitForSelector('article:last-of-type tbody tr');
   });
   after(async () => {
-    await browser?.close();
+    await page?.close();
     rmSync(folder, { recursive: true, force: true });
   });
 
-  const headed = (text) => page.evaluateHandle((wanted) => [...document.querySelectorAll('#run-1 section')].find((section) => section.querySelector('h3').textContent === wanted), text);
-  const cellsOf = (section) => section.$$eval('tbody tr', (all) => all.map((row) => [...row.cells].map((cell) => cell.textContent)));
+  const headed = (text) =>
+    page.evaluateHandle(
+      (wanted) =>
+        [...document.querySelectorAll('#run-1 section')].find(
+          (section) => section.querySelector('h3').textContent === wanted,
+        ),
+      text,
+    );
+  const cellsOf = (section) =>
+    section.$$eval('tbody tr', (all) => all.map((row) => [...row.cells].map((cell) => cell.textContent)));
 
   test('lists the comparison and both runs, and each link leads to its own', async () => {
-    const links = await page.$$eval('nav a', (all) => all.map((link) => document.querySelector(link.getAttribute('href')).querySelector('h2').textContent === link.textContent));
+    const links = await page.$$eval('nav a', (all) =>
+      all.map(
+        (link) =>
+          document.querySelector(link.getAttribute('href')).querySelector('h2').textContent === link.textContent,
+      ),
+    );
     assert.deepEqual(links, [true, true, true]);
     const commands = await page.$$eval('.command', (all) => all.map((element) => element.textContent));
     assert.match(commands[0], /^gnomon report --against /);
@@ -117,25 +161,55 @@ describe('a page of several runs', () => {
 
   test('says first how many rows became what, of every kind of number', async () => {
     const rows = await cellsOf(await headed('What changed'));
-    assert.deepEqual(rows.map((cells) => cells.slice(0, 4)), [
-      ['Frames a second', 'frame', 'time', '8'], ['Frames a second', 'ratio', 'ratio', '8'], ['Frames a second', 'source', 'count', '8'],
-    ]);
-    for (const cells of rows) assert.equal(cells.slice(4, 7).map(Number).reduce((a, b) => a + b), 8);
+    assert.deepEqual(
+      rows.map((cells) => cells.slice(0, 4)),
+      [
+        ['Frames a second', 'frame', 'time', '8'],
+        ['Frames a second', 'ratio', 'ratio', '8'],
+        ['Frames a second', 'source', 'count', '8'],
+      ],
+    );
+    for (const cells of rows)
+      assert.equal(
+        cells
+          .slice(4, 7)
+          .map(Number)
+          .reduce((a, b) => a + b),
+        8,
+      );
     assert.deepEqual(rows[2].slice(4, 7), ['0', '0', '8'], 'the same program has the same shaders');
   });
 
-  test('puts all runs into one table, rows down and runs across, and their FPS and compile times into charts', async () => {
+  test('puts all runs into one table, a column each, and their FPS and compile times into charts', async () => {
     const heads = await page.$$eval('#together th button', (all) => all.map((button) => button.firstChild.textContent));
     assert.deepEqual(heads, ['scene', 'shadows', 'depth', 'run 2: osmesa, 32x24', 'run 3: osmesa, 32x24']);
-    const together = await page.$$eval('#together tbody tr', (all) => all.map((row) => [...row.cells].map((cell) => cell.textContent)));
-    const own = async (run) => page.$$eval(`#run-${run} section:nth-of-type(2) tbody tr`, (all) => all.map((row) => Number(row.cells[5].textContent.replace(',', ''))));
-    for (const [column, run] of [[3, 2], [4, 3]]) {
-      const fps = together.map((cells) => Number(cells[column].replace(',', ''))), sorted = (list) => [...list].sort((a, b) => a - b);
+    const together = await page.$$eval('#together tbody tr', (all) =>
+      all.map((row) => [...row.cells].map((cell) => cell.textContent)),
+    );
+    const own = async (run) =>
+      page.$$eval(`#run-${run} section:nth-of-type(2) tbody tr`, (all) =>
+        all.map((row) => Number(row.cells[5].textContent.replace(',', ''))),
+      );
+    for (const [column, run] of [
+      [3, 2],
+      [4, 3],
+    ]) {
+      const fps = together.map((cells) => Number(cells[column].replace(',', ''))),
+        sorted = (list) => [...list].sort((a, b) => a - b);
       assert.equal(fps.length, 8);
-      sorted(await own(run)).forEach((value, i) => assert.ok(Math.abs(sorted(fps)[i] / value - 1) < 0.01, `run ${run}: ${fps}`));
+      sorted(await own(run)).forEach((value, i) =>
+        assert.ok(Math.abs(sorted(fps)[i] / value - 1) < 0.01, `run ${run}: ${fps}`),
+      );
     }
-    const charts = await page.$$eval('#together canvas', (all) => all.map((canvas) => Chart.getChart(canvas)).map(({ config, data }) => `${config.type} ${data.datasets.map(({ label, data }) => `${label} ${data.length}`)}`));
-    const lines = 'line run 2: osmesa, 32x24 2,run 3: osmesa, 32x24 2', bars = 'bar run 2: osmesa, 32x24 4,run 3: osmesa, 32x24 4';
+    const charts = await page.$$eval('#together canvas', (all) =>
+      all
+        .map((canvas) => Chart.getChart(canvas))
+        .map(
+          ({ config, data }) => `${config.type} ${data.datasets.map(({ label, data }) => `${label} ${data.length}`)}`,
+        ),
+    );
+    const lines = 'line run 2: osmesa, 32x24 2,run 3: osmesa, 32x24 2',
+      bars = 'bar run 2: osmesa, 32x24 4,run 3: osmesa, 32x24 4';
     assert.deepEqual(charts, [lines, lines, lines, lines, bars, bars]);
   });
 
@@ -146,73 +220,121 @@ describe('a page of several runs', () => {
 
   test('sorts by the median, not by the text of the cell', async () => {
     const heading = await page.evaluateHandle(() => document.querySelectorAll('#run-2 th button')[6]);
-    const frames = () => page.$$eval('#run-2 tbody tr', (all) => all.map((row) => Number(row.cells[6].firstChild.textContent.replace(',', ''))));
+    const frames = () =>
+      page.$$eval('#run-2 tbody tr', (all) =>
+        all.map((row) => Number(row.cells[6].firstChild.textContent.replace(',', ''))),
+      );
     await heading.click();
     const falling = await frames();
-    assert.deepEqual(falling, [...falling].sort((a, b) => b - a));
+    assert.deepEqual(
+      falling,
+      [...falling].sort((a, b) => b - a),
+    );
     await heading.click();
     assert.deepEqual(await frames(), [...falling].reverse());
   });
 
   test('draws FPS over depth for each scene of each run, a line for each kind of shadows', async () => {
-    const charts = await page.$$eval('article:not(#together) .canvas canvas', (all) => all.map((canvas) => Chart.getChart(canvas)).map((chart) => ({
-      lines: chart.data.datasets.map(({ label, data }) => `${label} ${data.map(({ x }) => x)}`), x: chart.options.scales.x.title.text, y: chart.options.scales.y.title.text,
-    })));
+    const charts = await page.$$eval('article:not(#together) .canvas canvas', (all) =>
+      all
+        .map((canvas) => Chart.getChart(canvas))
+        .map((chart) => ({
+          lines: chart.data.datasets.map(({ label, data }) => `${label} ${data.map(({ x }) => x)}`),
+          x: chart.options.scales.x.title.text,
+          y: chart.options.scales.y.title.text,
+        })),
+    );
     assert.equal(charts.length, 4);
-    for (const chart of charts) assert.deepEqual(chart, { lines: ['off 1,4', 'hard 1,4'], x: 'depth', y: ['FPS, 1/s', '(higher is better)'] });
+    for (const chart of charts)
+      assert.deepEqual(chart, { lines: ['off 1,4', 'hard 1,4'], x: 'depth', y: ['FPS, 1/s', '(higher is better)'] });
   });
 
   test('says nothing on the console and loads nothing', () => {
     assert.deepEqual(complaints, []);
-    assert.deepEqual(requests.filter((url) => !/^(file|data):/.test(url)), []);
+    assert.deepEqual(
+      requests.filter((url) => !/^(file|data):/.test(url)),
+      [],
+    );
   });
 });
 
 // What a laboratory of errors shows: fronts and pictures.
 for (const name of browserNames)
-  describe(`a page with pictures and fronts, ${name}`, () => {
+  describe(`a report with pictures and fronts in ${name}`, () => {
     let folder, browser, page;
-    const complaints = [], requests = [];
+    const complaints = [],
+      requests = [];
 
     before(async () => {
       folder = mkdtempSync(join(tmpdir(), 'gnomon-report-'));
       const file = join(folder, 'shadows.html');
-      execFileSync(gnomon, ['lab', 'shadows', '--scenes=simple', '--models=hard,quilez,silhouette,montecarlo', '--samples=1,16', '--size=64x48', '--reference=64', '--repeats=2', `--html=${file}`]);
-      browser = await launch(name);
+      execFileSync(gnomon, [
+        'lab',
+        'shadows',
+        '--scenes=simple',
+        '--models=hard,quilez,silhouette,montecarlo',
+        '--samples=1,16',
+        '--size=64x48',
+        '--reference=64',
+        '--repeats=2',
+        `--html=${file}`,
+      ]);
+      browser = await sharedBrowser(name);
       page = await browser.newPage();
       await page.setViewport({ width: 1200, height: 900 });
       page.on('console', (message) => complaints.push(message.text()));
       page.on('pageerror', (error) => complaints.push(error.message));
       page.on('request', (request) => requests.push(request.url()));
       await page.goto(pathToFileURL(file).href);
-      await until('differences', () => page.$$eval('.gallery li figcaption', (all) => all.every((caption) => caption.textContent !== 'difference')));
+      await until('differences', () =>
+        page.$$eval('.gallery li figcaption', (all) => all.every((caption) => caption.textContent !== 'difference')),
+      );
     });
     after(async () => {
-      await browser?.close();
+      await page?.close();
       rmSync(folder, { recursive: true, force: true });
     });
 
-    test('marks the points that no other one betters, from the fastest to the nearest, and says which way is better', async () => {
+    test('marks the points of the front, from the fastest to the nearest, and says which way is better', async () => {
       const { front, points, x, y } = await page.$eval('.canvas canvas', (canvas) => {
         const { data, options } = Chart.getChart(canvas);
         const of = ({ data }) => data.map(({ x, y }) => [x, y]);
         const [first, ...others] = data.datasets;
-        return { front: first.label === 'front' && of(first), points: others.flatMap(of), x: options.scales.x.title.text, y: options.scales.y.title.text };
+        return {
+          front: first.label === 'front' && of(first),
+          points: others.flatMap(of),
+          x: options.scales.x.title.text,
+          y: options.scales.y.title.text,
+        };
       });
       assert.equal(points.length, 5);
-      const best = points.filter(([x, y]) => !points.some(([otherX, otherY]) => otherX < x && otherY <= y)).sort((a, b) => a[0] - b[0]);
+      const best = points
+        .filter(([x, y]) => !points.some(([otherX, otherY]) => otherX < x && otherY <= y))
+        .sort((a, b) => a[0] - b[0]);
       assert.ok(front.length >= 1 && front.length < points.length);
-      for (const point of front) assert.ok(best.some(([x, y]) => x === point[0] && y === point[1]), `${point} of ${best}`);
+      for (const point of front)
+        assert.ok(
+          best.some(([x, y]) => x === point[0] && y === point[1]),
+          `${point} of ${best}`,
+        );
       assert.match(x[1], /lower is better/);
       assert.match(y[1], /lower is better/);
     });
 
     test('shows the picture of every row beside its reference, and a difference that can be seen', async () => {
       assert.equal((await page.$$('.gallery li')).length, 6, 'the reference and five ways');
-      const seen = await page.$$eval('.gallery li canvas', (all) => all.map((canvas) => ({
-        most: Math.max(...canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data.filter((value, i) => i % 4 < 3)),
-        words: canvas.nextSibling.textContent, size: `${canvas.width}x${canvas.height}`,
-      })));
+      const seen = await page.$$eval('.gallery li canvas', (all) =>
+        all.map((canvas) => ({
+          most: Math.max(
+            ...canvas
+              .getContext('2d')
+              .getImageData(0, 0, canvas.width, canvas.height)
+              .data.filter((value, i) => i % 4 < 3),
+          ),
+          words: canvas.nextSibling.textContent,
+          size: `${canvas.width}x${canvas.height}`,
+        })),
+      );
       assert.equal(seen.length, 5);
       for (const { most, words, size } of seen) {
         assert.equal(size, '64x48');
@@ -255,6 +377,9 @@ for (const name of browserNames)
 
     test('says nothing on the console and loads nothing', () => {
       assert.deepEqual(complaints, []);
-      assert.deepEqual(requests.filter((url) => !/^(file|data):/.test(url)), []);
+      assert.deepEqual(
+        requests.filter((url) => !/^(file|data):/.test(url)),
+        [],
+      );
     });
   });

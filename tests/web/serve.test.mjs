@@ -13,7 +13,9 @@ const script = fileURLToPath(new URL('../../scripts/serve', import.meta.url));
 /** Status line of a request whose path is sent as it is: fetch would tidy it up. */
 const rawStatus = (port, path) =>
   new Promise((resolve, reject) => {
-    const socket = connect(port, '127.0.0.1', () => socket.write(`GET ${path} HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n`));
+    const socket = connect(port, '127.0.0.1', () =>
+      socket.write(`GET ${path} HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n`),
+    );
     let answer = '';
     socket.on('data', (data) => (answer += data));
     socket.on('end', () => resolve(answer.split('\r\n')[0]));
@@ -41,8 +43,14 @@ describe('scripts/serve', () => {
 
   test('gives every file its type', async () => {
     const types = {
-      '/': 'text/html', '/a.wasm': 'application/wasm', '/a.js': 'text/javascript', '/a.mjs': 'text/javascript',
-      '/a.json': 'application/json', '/a.css': 'text/css', '/a.png': 'image/png', '/a.svg': 'image/svg+xml',
+      '/': 'text/html',
+      '/a.wasm': 'application/wasm',
+      '/a.js': 'text/javascript',
+      '/a.mjs': 'text/javascript',
+      '/a.json': 'application/json',
+      '/a.css': 'text/css',
+      '/a.png': 'image/png',
+      '/a.svg': 'image/svg+xml',
     };
     for (const [path, type] of Object.entries(types)) {
       const response = await fetch(url + path);

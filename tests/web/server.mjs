@@ -26,7 +26,13 @@ const isolation = { 'Cross-Origin-Opener-Policy': 'same-origin', 'Cross-Origin-E
  * @param options.isolated no other site shares the page's process
  * @param options.plainTypes gives every file but pages and scripts a type that says nothing, as a careless server does
  */
-export async function serve({ folder = process.env.GNOMON_SITE ?? site, path = '/', missing, isolated = false, plainTypes = false } = {}) {
+export async function serve({
+  folder = process.env.GNOMON_SITE ?? site,
+  path = '/',
+  missing,
+  isolated = false,
+  plainTypes = false,
+} = {}) {
   const server = createServer(async (request, response) => {
     const { pathname } = new URL(request.url, 'http://localhost');
     const inside = pathname.startsWith(path) ? normalize(decodeURIComponent(pathname.slice(path.length - 1))) : null;

@@ -1,14 +1,15 @@
-// The page against the source document's way of tracing (lab/reference/textbook/source), in the same browser and run; and
+// The page against the source document's way of tracing (tests/textbook/source), in the same browser and run; and
 // shader files of a script's own.
 //
-// Bound  pro and lite show nearly the source's picture (its sky is sampled otherwise): at least 98 % of the pixels within 24/255.
-//        A frame of pro takes at most half of the source's, lite at most 1/1.1: what a busy machine leaves of the figures in
-//        docs/results.md
+// Bound  pro and lite show nearly the source's picture (its sky is sampled otherwise): at least 98 % of the pixels
+//        within 24/255. A frame of pro takes at most half of the source's, lite at most 1/1.1: what a busy machine
+//        leaves of the figures in docs/results.md
 import { after, before, describe, test } from 'node:test';
 import { strict as assert } from 'node:assert';
 import { median, openPair, race } from './against_source.mjs';
-import { browserNames, launch, openPage, picture } from './browsers.mjs';
+import { browserNames, openPage, picture } from './browsers.mjs';
 import { serve } from './server.mjs';
+import { sharedBrowser } from './shared_browser.mjs';
 
 const still = 'pause=on&time=0&depth=8&adapt=off';
 const compared = { lite: { size: '320x240', least: 1.1 }, pro: { size: '160x120', least: 2 } };
@@ -23,15 +24,14 @@ function shareWithin(a, b, bound) {
 }
 
 for (const name of browserNames)
-  describe(name, () => {
+  describe(`against the source in ${name}`, () => {
     let server, browser;
 
     before(async () => {
       server = await serve();
-      browser = await launch(name);
+      browser = await sharedBrowser(name);
     });
     after(async () => {
-      await browser?.close();
       await server?.close();
     });
 
@@ -40,7 +40,8 @@ for (const name of browserNames)
         const { ours, source } = await openPair(browser, server.url, { scene, size });
         const share = shareWithin(await picture(ours), await picture(source), 24);
         const { ratios } = await race({ ours, source }, 5);
-        const text = `${(100 * share).toFixed(2)} % alike; ${median(ratios).toFixed(2)} times as fast (${ratios.map((r) => r.toFixed(2)).join(' ')})`;
+        const all = ratios.map((ratio) => ratio.toFixed(2)).join(' ');
+        const text = `${(100 * share).toFixed(2)} % alike; ${median(ratios).toFixed(2)} times as fast (${all})`;
         console.log(`# ${name} ${scene}: ${text}`);
         assert.ok(share >= 0.98, text);
         assert.ok(median(ratios) >= least, text);
@@ -51,17 +52,33 @@ for (const name of browserNames)
       });
 
     test("a script's own shader files draw, wrong ones are told, and the library's come back", async () => {
-      const page = await openPage(browser, `${server.url}?scene=torus&size=160x120&${still}`, { expectErrors: [/shade\/encode\.glsl/] });
+      const page = await openPage(browser, `${server.url}?scene=torus&size=160x120&${still}`, {
+        expectErrors: [/shade\/encode\.glsl/],
+      });
       const replace = (files) =>
-        page.evaluate((texts) => window.gnomon.shaders(texts).then(() => '', (error) => error.message), files);
+        page.evaluate(
+          (texts) =>
+            window.gnomon.shaders(texts).then(
+              () => '',
+              (error) => error.message,
+            ),
+          files,
+        );
       const library = await picture(page);
-      const red = 'vec3 chooseChannels(vec3 color) { return vec3(1.0, 0.0, 0.0); }\nvec3 encode(vec3 color) { return color; }\n';
+      const red =
+        'vec3 chooseChannels(vec3 color) { return vec3(1.0, 0.0, 0.0); }\nvec3 encode(vec3 color) { return color; }\n';
       assert.equal(await replace({ 'shade/encode.glsl': red }), '');
       const drawn = await picture(page);
       assert.deepEqual([...drawn.data.subarray(0, 4)], [255, 0, 0, 255]);
-      assert.match(await replace({ 'shade/encode.glsl': `${red}float broken = nothing;\n` }), /shaders\/shade\/encode\.glsl/);
+      assert.match(
+        await replace({ 'shade/encode.glsl': `${red}float broken = nothing;\n` }),
+        /shaders\/shade\/encode\.glsl/,
+      );
       assert.equal(apart(await picture(page).catch(() => drawn), drawn), 0, 'what drew before goes on');
-      assert.match(await replace({ 'shade/none.glsl': '' }), /shaders\/shade\/none\.glsl: there is no such shader file/);
+      assert.match(
+        await replace({ 'shade/none.glsl': '' }),
+        /shaders\/shade\/none\.glsl: there is no such shader file/,
+      );
       assert.equal(await replace({}), '');
       assert.equal(apart(await picture(page), library), 0);
     });

@@ -90,14 +90,20 @@ export function makeApi() {
         traceRays: (scene, rays) =>
           session.withContext(() => {
             const numbers = Float32Array.from(rays);
-            if (numbers.length % 8) throw new Error(`${numbers.length} numbers are no rays: each has 8, see docs/page.md`);
+            if (numbers.length % 8)
+              throw new Error(`${numbers.length} numbers are no rays: each has 8, see docs/page.md`);
             const text = typeof scene === 'string' ? scene : JSON.stringify(scene);
             const { problems, answers } = tracer.traceRays(text, numbers);
             check(problems);
             return answers;
           }),
 
-        stats: () => ({ compileMs: tracer.compileMs(), sourceBytes: tracer.sourceBytes(), renderer: session.renderer() }),
+        stats: () => ({
+          compileMs: tracer.compileMs(),
+          sourceBytes: tracer.sourceBytes(),
+          glObjects: tracer.liveGlObjects(),
+          renderer: session.renderer(),
+        }),
         source: () => tracer.source(),
 
         async shaders(files) {

@@ -6,10 +6,27 @@
 import { BenchStep, benchOf } from './compare_calls.js';
 import { fetchImage, fetchScene, fetchSceneIndex } from './load.js';
 
-const standardRounds = 15, mostRounds = 10_000;
-const standardSeconds = 150, mostSeconds = 86_400;
+const standardRounds = 15,
+  mostRounds = 10_000;
+const standardSeconds = 150,
+  mostSeconds = 86_400;
 const restoreMs = 30_000; // a browser that has not given the context back by then will not
-const ownOptions = ['scenes', 'baseline', 'repeats', 'limit', 'signal', 'onprogress', 'onround', 'context', 'contexts', 'leaveOut', 'place', 'go', 'goes', 'earlier'];
+const ownOptions = [
+  'scenes',
+  'baseline',
+  'repeats',
+  'limit',
+  'signal',
+  'onprogress',
+  'onround',
+  'context',
+  'contexts',
+  'leaveOut',
+  'place',
+  'go',
+  'goes',
+  'earlier',
+];
 
 const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
@@ -35,7 +52,13 @@ function clockStep() {
 
 /** The browser's name in the column `context`. */
 export function contextName(agent = navigator.userAgent) {
-  const names = [[/Firefox\//, 'firefox'], [/Edg\//, 'edge'], [/OPR\//, 'opera'], [/Chrom(e|ium)\//, 'chromium'], [/Safari\//, 'safari']];
+  const names = [
+    [/Firefox\//, 'firefox'],
+    [/Edg\//, 'edge'],
+    [/OPR\//, 'opera'],
+    [/Chrom(e|ium)\//, 'chromium'],
+    [/Safari\//, 'safari'],
+  ];
   return `webgl2-${names.find(([pattern]) => pattern.test(agent))?.[1] ?? 'browser'}`;
 }
 
@@ -61,11 +84,19 @@ function readOptions(options) {
       throw new Error(`${place}: ${key}: ${value} is out of range; use 1…${most}`);
     return value;
   };
-  const scenes = [options.scenes ?? ['lite', 'pro']].flat().flatMap((scene) => (typeof scene === 'string' ? scene.split(',') : [scene]));
+  const scenes = [options.scenes ?? ['lite', 'pro']]
+    .flat()
+    .flatMap((scene) => (typeof scene === 'string' ? scene.split(',') : [scene]));
   return {
     place,
-    scenes: scenes.map((scene) => (typeof scene === 'string' ? { name: scene } : { name: String(scene.name ?? 'script'), text: JSON.stringify(scene) })),
-    values: Object.entries(options).filter(([key]) => !ownOptions.includes(key)).map(([key, value]) => [key, textOf(value)]),
+    scenes: scenes.map((scene) =>
+      typeof scene === 'string'
+        ? { name: scene }
+        : { name: String(scene.name ?? 'script'), text: JSON.stringify(scene) },
+    ),
+    values: Object.entries(options)
+      .filter(([key]) => !ownOptions.includes(key))
+      .map(([key, value]) => [key, textOf(value)]),
     baseline: options.baseline ?? '',
     repeats: count('repeats', standardRounds, mostRounds),
     limit: count('limit', options.repeats ? mostSeconds : standardSeconds, mostSeconds),
@@ -87,9 +118,17 @@ function check(problems) {
 
 /** The call that makes the same numbers again. */
 function commandOf({ baseline, repeats, limit }, { scenes, values }) {
-  const words = { scenes: scenes.join(','), ...values, ...(baseline ? { baseline } : {}), repeats, ...(limit < mostSeconds ? { limit } : {}) };
+  const words = {
+    scenes: scenes.join(','),
+    ...values,
+    ...(baseline ? { baseline } : {}),
+    repeats,
+    ...(limit < mostSeconds ? { limit } : {}),
+  };
   const text = (value) => (typeof value === 'number' ? value : `'${value}'`);
-  return `gnomon.compare({ ${Object.entries(words).map(([key, value]) => `${/^\w+$/.test(key) ? key : `'${key}'`}: ${text(value)}`).join(', ')} })`;
+  return `gnomon.compare({ ${Object.entries(words)
+    .map(([key, value]) => `${/^\w+$/.test(key) ? key : `'${key}'`}: ${text(value)}`)
+    .join(', ')} })`;
 }
 
 let underWay = false;
@@ -104,7 +143,14 @@ export async function compare({ tracer, session }, options = {}) {
   if (underWay) throw new Error(`${asked.place}: frame rates are being compared already; wait until that is done`);
   underWay = true;
   try {
-    check(bench.plan(asked.scenes.map(({ name }) => name).join('\n'), asked.values.map((pair) => `${pair.join('=')}\n`).join(''), asked.baseline, asked.place));
+    check(
+      bench.plan(
+        asked.scenes.map(({ name }) => name).join('\n'),
+        asked.values.map((pair) => `${pair.join('=')}\n`).join(''),
+        asked.baseline,
+        asked.place,
+      ),
+    );
     const plan = bench.planned();
     asked.onprogress({ stage: 'planned', ...plan });
     const listed = (await fetchSceneIndex()).map(({ name }) => name);
@@ -143,7 +189,11 @@ async function measure({ bench, session, asked, plan, step }) {
 
   const results = () => {
     const rounds = bench.rounds();
-    const ended = stopped() ? '; interrupted' : rounds < asked.repeats && asked.go === asked.goes ? '; ended by the limit' : '';
+    const ended = stopped()
+      ? '; interrupted'
+      : rounds < asked.repeats && asked.go === asked.goes
+        ? '; ended by the limit'
+        : '';
     const environment = [
       ...environmentOf(session, step),
       ...(leftOut.length ? [['left out', leftOut.join(' · ')]] : []),
@@ -171,7 +221,7 @@ async function measure({ bench, session, asked, plan, step }) {
   /** Steps until all is done: true; or until the user stops it, or there is nothing to draw with. */
   const stepThrough = async (stage, all, next) => {
     const start = performance.now();
-    for (let done = 0; ; ) {
+    for (let done = 0; ;) {
       if (stopped()) return false;
       if (!session.alive && !(await contextBack())) return false;
       const made = next();

@@ -27,7 +27,8 @@ export function benchOf({ call, callForText, callWithBytes }) {
     drawn: () => call('benchDrawn'),
     rounds: () => call('benchRounds'),
     problems: () => callForText('benchProblems'),
-    results: (context, contexts, environment, command) => JSON.parse(callForText('benchResults', context, contexts, environment, command)),
+    results: (context, contexts, environment, command) =>
+      JSON.parse(callForText('benchResults', context, contexts, environment, command)),
     end: () => call('benchEnd'),
   };
 }

@@ -36,22 +36,43 @@ function rowsOf(pairs) {
 
 /** Fills the dialog; answers toggle(). `about` gives the last line when it opens. */
 export function makeHelp(dialog, table, about) {
-  const settings = table.filter((row) => row.hotkeys.length && row.key !== 'vsync').map((row) => [row.hotkeys, `${label(row.key)}: ${row.help.replace(/^./, (letter) => letter.toLowerCase())}`]);
+  const settings = table
+    .filter((row) => row.hotkeys.length && row.key !== 'vsync')
+    .map((row) => [row.hotkeys, `${label(row.key)}: ${row.help.replace(/^./, (letter) => letter.toLowerCase())}`]);
   const heading = (text) => Object.assign(document.createElement('h3'), { textContent: text });
   const top = document.createElement('header');
   const close = Object.assign(document.createElement('button'), { className: 'close', textContent: '×' });
   close.setAttribute('aria-label', 'Close');
   close.onclick = () => dialog.close();
-  top.append(Object.assign(document.createElement('h2'), { id: 'help-title', textContent: 'Keys and gestures' }), close);
+  top.append(
+    Object.assign(document.createElement('h2'), { id: 'help-title', textContent: 'Keys and gestures' }),
+    close,
+  );
   const bottom = document.createElement('footer');
   dialog.replaceChildren(
-    top, heading('Moving'), rowsOf(moving), heading('Picture'), rowsOf(settings), heading('Touch'), rowsOf(touching), bottom,
+    top,
+    heading('Moving'),
+    rowsOf(moving),
+    heading('Picture'),
+    rowsOf(settings),
+    heading('Touch'),
+    rowsOf(touching),
+    bottom,
   );
   dialog.addEventListener('click', (event) => event.target === dialog && dialog.close()); // the backdrop
 
   return () => {
     if (dialog.open) return dialog.close();
-    bottom.replaceChildren(about(), ' · ', Object.assign(document.createElement('a'), { href: 'report.html', target: '_blank', style: 'color: inherit', textContent: 'Results viewer' }));
+    bottom.replaceChildren(
+      about(),
+      ' · ',
+      Object.assign(document.createElement('a'), {
+        href: 'report.html',
+        target: '_blank',
+        style: 'color: inherit',
+        textContent: 'Results viewer',
+      }),
+    );
     dialog.showModal();
   };
 }

@@ -11,8 +11,8 @@ const named = {
 const moves = ['KeyW', 'KeyA', 'KeyS', 'KeyD'];
 
 /**
- * The name of the key, or null where it is none of ours. Moving keys and digits go by place, so that they lie alike on every
- * layout; letters with a meaning go by what stands on the cap.
+ * The name of the key, or null where it is none of ours. Moving keys and digits go by place, so that they lie alike on
+ * every layout; letters with a meaning go by what stands on the cap.
  */
 export function keyName({ code, key }) {
   if (named[code]) return named[code];
@@ -23,7 +23,8 @@ export function keyName({ code, key }) {
   return null;
 }
 
-const isTyping = (target) => target instanceof Element && target.closest('input, select, textarea, dialog, [contenteditable]');
+const isTyping = (target) =>
+  target instanceof Element && target.closest('input, select, textarea, dialog, [contenteditable]');
 
 /** @param keys { down(name), up(name), releaseAll() } */
 export function listenToKeys(keys) {

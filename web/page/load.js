@@ -14,7 +14,9 @@ async function get(url) {
     throw new Error(`${name}: the server does not answer; check that it still runs`);
   }
   if (response.ok) return response;
-  throw Object.assign(new Error(`${name}: the server does not have it (${response.status})`), { status: response.status });
+  throw Object.assign(new Error(`${name}: the server does not have it (${response.status})`), {
+    status: response.status,
+  });
 }
 
 /**
@@ -23,7 +25,8 @@ async function get(url) {
  */
 export async function fetchCounted(url, onBytes, type) {
   const response = await get(url);
-  const total = Number(response.headers.get('content-length')) || 0; // of the compressed bytes where they are: a hint only
+  // Of the compressed bytes where they are: a hint only.
+  const total = Number(response.headers.get('content-length')) || 0;
   let soFar = 0;
   const counter = new TransformStream({
     transform(chunk, out) {

@@ -81,7 +81,8 @@ async function loadTracer() {
 /** Session, canvas, scene list and address bar around the tracer. */
 function connect(tracer, sceneIndex) {
   const fit = fitCanvas(canvas, (width, height) => tracer.resize(width, height));
-  let size = query.size && tracer.settings().get('size') === query.size ? query.size : null; // else it follows the window
+  // Where none is asked for it follows the window.
+  let size = query.size && tracer.settings().get('size') === query.size ? query.size : null;
   fit.fix(parseSize(size));
   tracer.resize(canvas.width, canvas.height);
 
@@ -118,7 +119,9 @@ function connect(tracer, sceneIndex) {
   };
 
   const load = (scene) =>
-    typeof scene === 'string' ? session.load(scene) : session.load(String(scene.name ?? 'script'), JSON.stringify(scene));
+    typeof scene === 'string'
+      ? session.load(scene)
+      : session.load(String(scene.name ?? 'script'), JSON.stringify(scene));
   const scenes = sceneChooser($('scene'), sceneIndex, (name) =>
     load(name).catch((error) => {
       say.problem(error.message, { id: 'scene' });
@@ -155,7 +158,10 @@ function connect(tracer, sceneIndex) {
       await session.load(name, text);
     } catch (error) {
       if (name === defaultScene) throw error;
-      say.problem(`URL: scene: ${error.message}; ${defaultScene} is shown instead, there are ${(await scenes.names()).join(', ')}`);
+      say.problem(
+        `URL: scene: ${error.message}; ${defaultScene} is shown instead, there are ` +
+          (await scenes.names()).join(', '),
+      );
       await session.load(defaultScene);
     }
     if (startsPaused && !asks('pause')) say.note('Paused, as your system asks for little motion');
@@ -225,8 +231,12 @@ function watch(page) {
   const refresh = () => {
     const settings = tracer.settings();
     showReadout({
-      title: tracer.title(), fps: tracer.framesPerSecond(), settings, scale: tracer.shownScale(),
-      width: canvas.width, height: canvas.height,
+      title: tracer.title(),
+      fps: tracer.framesPerSecond(),
+      settings,
+      scale: tracer.shownScale(),
+      width: canvas.width,
+      height: canvas.height,
     });
     const now = tracer.urlQuery();
     if (now === before) return;

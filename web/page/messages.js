@@ -1,4 +1,5 @@
-// What the page says: short notes that go by themselves, problems that stay until closed, and the one message that is the end.
+// What the page says: short notes that go by themselves, problems that stay until closed, and the one message that is
+// the end.
 
 const noteSeconds = 2.6;
 const mostNotes = 3;

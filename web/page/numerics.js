@@ -3,7 +3,8 @@
 
 const calmMs = 1000;
 
-const whenIdle = (work) => (window.requestIdleCallback ? requestIdleCallback(work) : setTimeout(work)); // Safari has none
+// Safari has no idle callbacks.
+const whenIdle = (work) => (window.requestIdleCallback ? requestIdleCallback(work) : setTimeout(work));
 
 /**
  * Answers measure(): a promise of what was found, as docs/page.md has it, the same one each time.

@@ -15,11 +15,13 @@ export function sceneChooser(select, index, load) {
   };
 
   index.then((scenes) => {
-    select.replaceChildren(...scenes.map(({ name, title, description }) => {
-      const option = new Option(title.split(':')[0], name); // "Lite: sun, planets …"
-      option.title = [title, description].filter(Boolean).join('\n');
-      return option;
-    }));
+    select.replaceChildren(
+      ...scenes.map(({ name, title, description }) => {
+        const option = new Option(title.split(':')[0], name); // "Lite: sun, planets …"
+        option.title = [title, description].filter(Boolean).join('\n');
+        return option;
+      }),
+    );
     if (current) show(current);
   });
 

@@ -40,7 +40,7 @@ export function startSession({ tracer, canvas, task, emit }) {
     return progress;
   };
 
-  // --- frames ---------------------------------------------------------------------------------------------------------
+  // --- frames --------------------------------------------------------------------------------------------------------
 
   let frames = 0;
   let sharp = false; // a picture in full resolution has been shown
@@ -101,7 +101,7 @@ export function startSession({ tracer, canvas, task, emit }) {
     }
   };
 
-  // --- scenes ---------------------------------------------------------------------------------------------------------
+  // --- scenes --------------------------------------------------------------------------------------------------------
 
   let imagesBefore = imagesMayCome;
 
@@ -140,7 +140,7 @@ export function startSession({ tracer, canvas, task, emit }) {
     if (order === wantedScene) takeScene(json, name, order);
   };
 
-  // --- a context that goes and comes back -----------------------------------------------------------------------------
+  // --- a context that goes and comes back ----------------------------------------------------------------------------
 
   const whenAlive = (work) => (alive() ? work() : void later.push(work));
 

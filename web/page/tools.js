@@ -20,7 +20,10 @@ export function toggleFullscreen() {
   return document.documentElement.requestFullscreen?.().catch(() => {});
 }
 
-/** @param actions { pause(), link() → address, picture() → Promise of a PNG data URL, name(), compare(), help(), note(text) } */
+/**
+ * @param actions { pause(), link() → address, picture() → Promise of a PNG data URL, name(), compare(), help(),
+ * note(text) }
+ */
 export function connectTools(actions) {
   const button = (id) => document.getElementById(id);
 
@@ -29,10 +32,15 @@ export function connectTools(actions) {
   button('compare').onclick = actions.compare;
   button('link').onclick = async () => {
     const done = await copy(actions.link());
-    actions.note(done ? 'Link copied: it brings back scene, camera and settings' : 'The link stands in the address bar');
+    actions.note(
+      done ? 'Link copied: it brings back scene, camera and settings' : 'The link stands in the address bar',
+    );
   };
   button('save').onclick = async () => {
-    const link = Object.assign(document.createElement('a'), { download: `${actions.name()}.png`, href: await actions.picture() });
+    const link = Object.assign(document.createElement('a'), {
+      download: `${actions.name()}.png`,
+      href: await actions.picture(),
+    });
     link.click();
   };
   button('fullscreen').onclick = toggleFullscreen;

@@ -96,6 +96,7 @@ function wrap(module) {
     },
     compileMs: () => module._compileMs(),
     sourceBytes: () => module._sourceBytes(),
+    liveGlObjects: () => module._liveGlObjects(),
     source: () => text(module._shaderSource()),
     replaceShaders(files) {
       for (const [name, glsl] of Object.entries(files)) withStrings('addShader', name, glsl);

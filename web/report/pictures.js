@@ -40,35 +40,52 @@ async function drawDifference(canvas, a, b) {
   const differences = from.data.map((value, i) => Math.abs(value - to.data[i]));
   const factor = factorFor(differences);
   const most = differences.reduce((a, b) => Math.max(a, b), 0);
-  const pixels = new ImageData(differences.map((value, i) => (i % 4 === 3 ? 255 : Math.min(255, factor * value))), from.width);
+  const pixels = new ImageData(
+    differences.map((value, i) => (i % 4 === 3 ? 255 : Math.min(255, factor * value))),
+    from.width,
+  );
   canvas.getContext('2d').putImageData(pixels, 0, 0);
   return most ? `difference × ${factor}, at most ${most} of 255` : 'no difference';
 }
 
 /** The difference as a figure; it says what it is once it is drawn. */
 function differenceOf(picture, images) {
-  const canvas = element('canvas', { role: 'img', ariaLabel: `Difference: ${picture.title} and ${picture.reference.title}` });
+  const canvas = element('canvas', {
+    role: 'img',
+    ariaLabel: `Difference: ${picture.title} and ${picture.reference.title}`,
+  });
   const words = element('figcaption', { textContent: 'difference' });
   drawDifference(canvas, images[picture.image], images[picture.reference.image]).then(
-    (text) => { words.textContent = text; },
-    () => { words.textContent = 'a picture cannot be read'; },
+    (text) => {
+      words.textContent = text;
+    },
+    () => {
+      words.textContent = 'a picture cannot be read';
+    },
   );
   return element('figure', {}, canvas, words);
 }
 
-const shownImage = (address, title) => element('figure', {}, element('img', { src: address, alt: title }), element('figcaption', { textContent: title }));
+const shownImage = (address, title) =>
+  element('figure', {}, element('img', { src: address, alt: title }), element('figcaption', { textContent: title }));
 
 /** Picture, reference and difference side by side; only the picture where it is held against nothing. */
 export function tripleOf(picture, images) {
   const parts = [shownImage(images[picture.image], picture.title)];
-  if (picture.reference) parts.push(shownImage(images[picture.reference.image], picture.reference.title), differenceOf(picture, images));
+  if (picture.reference)
+    parts.push(shownImage(images[picture.reference.image], picture.reference.title), differenceOf(picture, images));
   return element('div', { className: 'triple' }, ...parts);
 }
 
 /** Opens the three over the page. */
 export function openPicture(picture, images) {
   const close = element('button', { type: 'button', className: 'close', textContent: '×', ariaLabel: 'Close' });
-  const dialog = element('dialog', { className: 'pictures', ariaLabel: picture.title }, close, tripleOf(picture, images));
+  const dialog = element(
+    'dialog',
+    { className: 'pictures', ariaLabel: picture.title },
+    close,
+    tripleOf(picture, images),
+  );
   close.addEventListener('click', () => dialog.close());
   dialog.addEventListener('click', (event) => event.target === dialog && dialog.close()); // the backdrop
   dialog.addEventListener('close', () => dialog.remove());
@@ -81,7 +98,10 @@ export function peekAt(picture, images) {
   const shown = document.querySelector('.peek');
   if (shown?.picture === picture) return;
   shown?.remove();
-  if (picture) document.body.append(Object.assign(element('aside', { className: 'peek' }, tripleOf(picture, images)), { picture }));
+  if (picture)
+    document.body.append(
+      Object.assign(element('aside', { className: 'peek' }, tripleOf(picture, images)), { picture }),
+    );
 }
 
 /** All pictures of a table, under each reference those that are held against it. */
@@ -94,15 +114,35 @@ export function galleryOf(pictures, heading) {
     groups.set(of, [...(groups.get(of) ?? []), picture]);
   }
   const cardOf = (picture) => {
-    const open = element('button', { type: 'button', title: 'Show it beside its reference' }, shownImage(pictures.images[picture.image], picture.title));
+    const open = element(
+      'button',
+      { type: 'button', title: 'Show it beside its reference' },
+      shownImage(pictures.images[picture.image], picture.title),
+    );
     open.addEventListener('click', () => openPicture(picture, pictures.images));
     return element('li', {}, open, ...(picture.reference ? [differenceOf(picture, pictures.images)] : []));
   };
   const lists = [...groups.values()].map((group) => {
     const { reference } = group[0];
-    const head = reference ? [element('li', { className: 'reference' }, shownImage(pictures.images[reference.image], `held against: ${reference.title}`))] : [];
+    const head = reference
+      ? [
+          element(
+            'li',
+            { className: 'reference' },
+            shownImage(pictures.images[reference.image], `held against: ${reference.title}`),
+          ),
+        ]
+      : [];
     return element('ul', {}, ...head, ...group.map(cardOf));
   });
-  const note = 'Below a picture: how its channels differ from those of the picture it is held against, times what is written there.';
-  return element('section', { className: 'gallery' }, element(heading, { textContent: 'Pictures' }), element('p', { className: 'note', textContent: note }), ...lists);
+  const note =
+    'Below a picture: how its channels differ from those of the picture it is held against, ' +
+    'times what is written there.';
+  return element(
+    'section',
+    { className: 'gallery' },
+    element(heading, { textContent: 'Pictures' }),
+    element('p', { className: 'note', textContent: note }),
+    ...lists,
+  );
 }

@@ -1,4 +1,5 @@
-// Takes a text for results, or says what is wrong with it, where, and what to do: as `gnomon report` does (lab/results/read_results.cpp).
+// Takes a text for results, or says what is wrong with it, where, and what to do: as `gnomon report` does
+// (lab/results/read_results.cpp).
 
 const remedy = 'write it anew with --json=FILE';
 
@@ -27,13 +28,15 @@ const textsIn = (object, path, keys) => {
 };
 
 function checkWord(value, path, known) {
-  if (value !== undefined && !known.includes(textIn(value, path))) fail(path, `"${value}" is none of ${known.join(', ')}`);
+  if (value !== undefined && !known.includes(textIn(value, path)))
+    fail(path, `"${value}" is none of ${known.join(', ')}`);
 }
 
 function checkRow(row, path, count) {
   if (listIn(row, path).length !== count) fail(path, `the row has ${row.length} cells instead of ${count}`);
   row.forEach((cell, i) => {
-    if (cell !== null && !['number', 'string'].includes(typeof cell)) fail(`${path}[${i}]`, `${describe(cell)} is no number, text or null`);
+    if (cell !== null && !['number', 'string'].includes(typeof cell))
+      fail(`${path}[${i}]`, `${describe(cell)} is no number, text or null`);
   });
 }
 
@@ -47,11 +50,15 @@ function checkTable(table, path) {
   });
   listIn(table.rows, `${path}.rows`).forEach((row, i) => checkRow(row, `${path}.rows[${i}]`, table.columns.length));
   const keys = numberIn(table.keys ?? 0, `${path}.keys`);
-  if (!(Number.isInteger(keys) && keys >= 0 && keys <= table.columns.length)) fail(`${path}.keys`, `${keys} is no number of columns; there are ${table.columns.length}`);
+  if (!(Number.isInteger(keys) && keys >= 0 && keys <= table.columns.length))
+    fail(`${path}.keys`, `${keys} is no number of columns; there are ${table.columns.length}`);
 }
 
 function tableNamed(name, path, tables) {
-  return tables.find((table) => table.name === textIn(name, `${path}.table`)) ?? fail(`${path}.table`, `there is no table "${name}"`);
+  return (
+    tables.find((table) => table.name === textIn(name, `${path}.table`)) ??
+    fail(`${path}.table`, `there is no table "${name}"`)
+  );
 }
 
 function checkChart(chart, path, tables) {
@@ -71,8 +78,10 @@ function checkChart(chart, path, tables) {
     checkColumn(objectIn(line, at).column, `${at}.column`);
     textIn(line.label, `${at}.label`);
   });
-  for (const [key, value] of Object.entries(objectIn(chart.where, `${path}.where`))) textIn(value, `${path}.where.${key}`);
-  for (const key of ['log_x', 'log_y']) need(chart[key], `${path}.${key}`, (value) => typeof value === 'boolean', 'true or false');
+  for (const [key, value] of Object.entries(objectIn(chart.where, `${path}.where`)))
+    textIn(value, `${path}.where.${key}`);
+  for (const key of ['log_x', 'log_y'])
+    need(chart[key], `${path}.${key}`, (value) => typeof value === 'boolean', 'true or false');
 }
 
 function checkPicture(picture, path, tables, images) {
@@ -91,17 +100,27 @@ function checkPicture(picture, path, tables, images) {
 function checkImages(results) {
   const images = listIn(results.images, 'images');
   images.forEach((image, i) => {
-    if (!textIn(image, `images[${i}]`).startsWith('data:image/png;base64,')) fail(`images[${i}]`, 'is no PNG as a data URL');
+    if (!textIn(image, `images[${i}]`).startsWith('data:image/png;base64,'))
+      fail(`images[${i}]`, 'is no PNG as a data URL');
   });
-  listIn(results.pictures, 'pictures').forEach((picture, i) => checkPicture(picture, `pictures[${i}]`, results.tables, images));
+  listIn(results.pictures, 'pictures').forEach((picture, i) =>
+    checkPicture(picture, `pictures[${i}]`, results.tables, images),
+  );
 }
 
 /** The same value, if it is one run's results. Throws an Error that is for people to read. */
 export function checkedResults(results) {
-  if (!isObject(results) || results.format !== 'gnomon-results') fail('', 'this is no file of results', 'give a file that gnomon bench, gnomon lab or this page wrote');
-  if (numberIn(results.version, 'version') !== 1) fail('version', `version ${results.version} of results is unknown; this page reads version 1`, 'read it with the gnomon that wrote it');
+  if (!isObject(results) || results.format !== 'gnomon-results')
+    fail('', 'this is no file of results', 'give a file that gnomon bench, gnomon lab or this page wrote');
+  if (numberIn(results.version, 'version') !== 1)
+    fail(
+      'version',
+      `version ${results.version} of results is unknown; this page reads version 1`,
+      'read it with the gnomon that wrote it',
+    );
   for (const key of ['title', 'command']) textIn(results[key], key);
-  for (const [key, value] of Object.entries(objectIn(results.environment, 'environment'))) textIn(value, `environment.${key}`);
+  for (const [key, value] of Object.entries(objectIn(results.environment, 'environment')))
+    textIn(value, `environment.${key}`);
   listIn(results.tables, 'tables').forEach((table, i) => checkTable(table, `tables[${i}]`));
   listIn(results.charts, 'charts').forEach((chart, i) => checkChart(chart, `charts[${i}]`, results.tables));
   if (results.pictures !== undefined) checkImages(results);

@@ -28,17 +28,38 @@ function runOf(results, level, id) {
   for (const [name, value] of Object.entries(results.environment))
     environment.append(element('dt', { textContent: name }), element('dd', { textContent: value }));
   const command = element('code', { className: 'command', textContent: results.command });
-  return element('article', { id }, element(`h${level}`, { textContent: results.title }), command, environment, ...partsOf(results, results.tables, level + 1));
+  return element(
+    'article',
+    { id },
+    element(`h${level}`, { textContent: results.title }),
+    command,
+    environment,
+    ...partsOf(results, results.tables, level + 1),
+  );
 }
 
 /** Where several runs stand on the page, what tells them apart, and a button that takes one away. */
 function contentsOf(runs, remove) {
   const told = ['date', 'commit', 'context', 'renderer'];
   const entries = runs.map(({ title, environment }, i) => {
-    const entry = element('li', {}, element('a', { href: `#run-${i + 1}`, textContent: title }), ' ',
-      element('small', { textContent: told.map((name) => environment[name]).filter(Boolean).join(' · ') }));
+    const entry = element(
+      'li',
+      {},
+      element('a', { href: `#run-${i + 1}`, textContent: title }),
+      ' ',
+      element('small', {
+        textContent: told
+          .map((name) => environment[name])
+          .filter(Boolean)
+          .join(' · '),
+      }),
+    );
     if (remove) {
-      const button = element('button', { type: 'button', textContent: 'Remove', ariaLabel: `Remove run ${i + 1}: ${title}` });
+      const button = element('button', {
+        type: 'button',
+        textContent: 'Remove',
+        ariaLabel: `Remove run ${i + 1}: ${title}`,
+      });
       button.addEventListener('click', () => remove(i));
       entry.append(' ', button);
     }
@@ -62,6 +83,14 @@ export function showResults(runs, place, remove) {
   if (!one) place.append(element('h1', { textContent: document.title }));
   if (!one || remove) place.append(contentsOf(runs, remove));
   const level = one ? 1 : 2;
-  if (all) place.append(element('article', { id: 'together' }, element(`h${level}`, { textContent: all.title }), ...partsOf(all, all.drawn, level + 1)));
+  if (all)
+    place.append(
+      element(
+        'article',
+        { id: 'together' },
+        element(`h${level}`, { textContent: all.title }),
+        ...partsOf(all, all.drawn, level + 1),
+      ),
+    );
   runs.forEach((run, i) => place.append(runOf(run, level, `run-${i + 1}`)));
 }

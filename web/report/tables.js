@@ -14,7 +14,12 @@ const kinds = {
 const byValue = (key, direction) => (a, b) => {
   const [x, y] = [a[key], b[key]];
   if (x === null || y === null) return (x === null) - (y === null); // what is not there comes last, either way
-  return direction * (typeof x === 'number' && typeof y === 'number' ? x - y : String(x).localeCompare(String(y), 'en', { numeric: true }));
+  return (
+    direction *
+    (typeof x === 'number' && typeof y === 'number'
+      ? x - y
+      : String(x).localeCompare(String(y), 'en', { numeric: true }))
+  );
 };
 
 const spaced = ({ spread }, cell) => {
@@ -42,7 +47,9 @@ function rowOf(row, columns, pictures) {
 /** What the pointer learns of a heading. */
 function helpOf(column) {
   const better = betterOf(column);
-  return [column.help, kinds[column.kind], better && `${better === 'lower' ? 'Lower' : 'Higher'} is better.`].filter(Boolean).join('\n');
+  return [column.help, kinds[column.kind], better && `${better === 'lower' ? 'Lower' : 'Higher'} is better.`]
+    .filter(Boolean)
+    .join('\n');
 }
 
 export function tableOf(table, pictures, heading) {
@@ -68,10 +75,22 @@ export function tableOf(table, pictures, heading) {
   fill();
   const grid = element('table', {}, element('thead', {}, element('tr', {}, ...heads)), body);
   const section = element('section', {}, element(heading, { textContent: table.title }));
-  const spread = columns.some((column) => column.spread) ? 'Small beside a median: the quartiles of the rounds; beside the ratio of two runs: what noise leaves of it. ' : '';
+  const spread = columns.some((column) => column.spread)
+    ? 'Small beside a median: the quartiles of the rounds; beside the ratio of two runs: what noise leaves of it. '
+    : '';
   const look = pictures.all.length ? 'A click on a row shows its picture. ' : '';
   if (spread || look)
-    section.append(element('p', { className: 'note' }, spread, element('span', { className: 'screen', textContent: `${look}A heading tells more under the pointer and sorts by a click.` })));
+    section.append(
+      element(
+        'p',
+        { className: 'note' },
+        spread,
+        element('span', {
+          className: 'screen',
+          textContent: `${look}A heading tells more under the pointer and sorts by a click.`,
+        }),
+      ),
+    );
   section.append(element('div', { className: 'table' }, grid));
   return section;
 }

@@ -1,4 +1,5 @@
-// The report as a page of the site: shows results from files that are dropped or chosen, and those that the tracer's page left.
+// The report as a page of the site: shows results from files that are dropped or chosen, and those that the tracer's
+// page left.
 
 import { element } from './elements.js';
 import { checkedResults, readResults } from './read.js';
@@ -12,13 +13,18 @@ const problems = document.getElementById('problems');
 
 function show() {
   empty.hidden = runs.length > 0;
-  if (runs.length) return showResults(runs, place, (index) => { runs.splice(index, 1); show(); });
+  if (runs.length)
+    return showResults(runs, place, (index) => {
+      runs.splice(index, 1);
+      show();
+    });
   clearResults(place);
   document.title = 'Gnomon results';
 }
 
 /** What is wrong stands there until the next files come. */
-const tell = (messages) => problems.replaceChildren(...messages.map((message) => element('p', { textContent: message })));
+const tell = (messages) =>
+  problems.replaceChildren(...messages.map((message) => element('p', { textContent: message })));
 
 async function open(files) {
   const wrong = [];
@@ -26,7 +32,8 @@ async function open(files) {
     try {
       runs.push(readResults(await file.text()));
     } catch (error) {
-      wrong.push(`${file.name}: ${error.name === 'NotFoundError' || error.name === 'NotReadableError' ? 'cannot be read; give files, no folders' : error.message}`);
+      const unreadable = /^Not(Found|Readable)Error$/.test(error.name);
+      wrong.push(`${file.name}: ${unreadable ? 'cannot be read; give files, no folders' : error.message}`);
     }
   if (wrong.length < files.length) show();
   tell(wrong);
