@@ -5,6 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+#include <sstream>
+
 namespace gnomon::test {
 
 Scene sceneNamed(const std::string& name) {
@@ -29,6 +32,20 @@ Scene moved(Scene scene, glm::dvec3 by) {
     scene.camera.eye += by;
     scene.camera.target += by;
     return scene;
+}
+
+std::string textOf(const std::string& file) {
+    std::ifstream stream(file, std::ios::binary);
+    EXPECT_TRUE(stream) << file;
+    std::ostringstream text;
+    text << stream.rdbuf();
+    return text.str();
+}
+
+void expectNear(glm::dvec3 value, glm::dvec3 wanted, double tolerance, const std::string& what) {
+    EXPECT_LE(glm::distance(value, wanted), tolerance)
+        << what << ": " << value.x << ' ' << value.y << ' ' << value.z << " instead of " << wanted.x << ' ' << wanted.y
+        << ' ' << wanted.z;
 }
 
 } // namespace gnomon::test

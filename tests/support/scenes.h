@@ -14,4 +14,10 @@ Scene sceneFrom(const std::string& json);
 /// The scene elsewhere in the world, its lights and camera as well.
 Scene moved(Scene, glm::dvec3 by);
 
+/// A file's whole text.
+std::string textOf(const std::string& file);
+
+/// `what` is within `tolerance` of where it should be.
+void expectNear(glm::dvec3 value, glm::dvec3 wanted, double tolerance, const std::string& what);
+
 } // namespace gnomon::test
