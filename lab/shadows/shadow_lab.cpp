@@ -153,7 +153,7 @@ std::vector<ShadowWay> waysOf(const ShadowPlan& plan) {
         } else if (marchesCones(model)) {
             for (const double epsilon : plan.epsilons)
                 for (const ConeOrigin coneOrigin : {ConeOrigin::Surface, ConeOrigin::Light})
-                    if (coneOrigin == ConeOrigin::Surface || plan.bothDirections)
+                    if (coneOrigin == ConeOrigin::Surface || plan.bothOrigins)
                         ways.push_back({model, coneOrigin, epsilon});
         } else {
             ways.push_back({model});

@@ -1,10 +1,10 @@
 #include "lab/trace/trace_lab.h"
 
-#include "lab/reference/textbook/textbook.h"
 #include "lab/reference/textbook/source_scene.h"
+#include "lab/reference/textbook/textbook.h"
 #include "tracer/clock.h"
-#include "tracer/render/program_cache.h"
 #include "tracer/plan/scene_packer.h"
+#include "tracer/render/program_cache.h"
 
 #include <algorithm>
 #include <array>
@@ -20,7 +20,7 @@ constexpr std::array kSceneWays{TraceWay{Accel::None, DataPath::Block},
                                 TraceWay{Accel::None, DataPath::Texture},
                                 TraceWay{Accel::Hierarchy, DataPath::Texture},
                                 TraceWay{Accel::Auto, DataPath::Texture},
-                                TraceWay{.data = DataPath::Texture, .parts = true},
+                                TraceWay{.data = DataPath::Texture, .variants = true},
                                 TraceWay{.accel = Accel::None, .source = true}};
 
 constexpr double kFrameSeconds = 1.0 / 60;
@@ -101,7 +101,7 @@ double millisecondsOf(int rounds, const std::function<void()>& work) {
 
 std::string nameOf(const TraceWay& way) {
     if (way.source) return "source";
-    if (way.parts) return "parts";
+    if (way.variants) return "variants";
     return way.accel == Accel::None ? "none" : way.accel == Accel::Hierarchy ? "hierarchy" : "auto";
 }
 
@@ -122,7 +122,7 @@ Settings TraceLab::settingsFor(const TraceWay& way) const {
     Settings settings = settings_;
     settings.accel = way.accel;
     settings.data = way.data;
-    settings.parts = way.parts ? Parts::On : Parts::Off;
+    settings.parts = way.variants ? Parts::On : Parts::Off;
     return settings;
 }
 

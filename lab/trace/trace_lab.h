@@ -4,8 +4,8 @@
 #include "lab/trace/benchmark_case.h"
 #include "lab/trace/sphere_scenes.h"
 #include "tracer/gl/gl.h"
-#include "tracer/settings/settings.h"
 #include "tracer/plan/features.h"
+#include "tracer/settings/settings.h"
 
 #include <memory>
 #include <optional>
@@ -20,11 +20,11 @@ namespace gnomon {
 struct TraceWay {
     Accel accel = Accel::Auto;
     DataPath data = DataPath::Block;
-    bool source = false, parts = false;
+    bool source = false, variants = false;
 
     bool operator==(const TraceWay&) const = default;
 };
-/// source, none, hierarchy, auto, parts; block, texture.
+/// source, none, hierarchy, auto, variants; block, texture.
 std::string nameOf(const TraceWay&);
 std::string dataOf(const TraceWay&);
 

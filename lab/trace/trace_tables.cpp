@@ -108,20 +108,21 @@ std::string titleOf(const GrowthCosts& spheres) {
 
 Table viewTable(const std::vector<ViewCosts>& views) {
     Table table{"scenes", "Scenes", {}, {}, 3};
-    table.columns = {{"view", "view", "", "The scene from its own camera, or from where the name says"},
-                     {"way", "way", "", "source: the document's way; parts: auto, in parts; else as --accel says"},
-                     {"data", "data", "", "Where the scene's numbers are, as --data says"},
-                     {"frame", "frame", "ms", "Median of the rounds", Kind::Time, Better::Lower},
-                     {"frame_low", "frame, lower quartile", "ms", "Of the rounds"},
-                     {"frame_high", "frame, upper quartile", "ms", "Of the rounds"},
-                     {"ratio", "ratio", "none, block = 1", "Of a frame's time to the plain loop's, in the same round",
-                      Kind::Ratio, Better::Lower},
-                     {"ratio_low", "ratio, lower quartile", "", "Of the rounds"},
-                     {"ratio_high", "ratio, upper quartile", "", "Of the rounds"},
-                     {"speed_up", "speed-up", "source = 1", "Of the source's time to this, in the same round: median",
-                      Kind::Ratio, Better::Higher},
-                     {"speed_up_low", "speed-up, lower quartile", "", "Of the rounds"},
-                     {"speed_up_high", "speed-up, upper quartile", "", "Of the rounds"}};
+    table.columns = {
+        {"view", "view", "", "The scene from its own camera, or from where the name says"},
+        {"way", "way", "", "source: the document's way; variants: auto, by shader variants; else as --accel says"},
+        {"data", "data", "", "Where the scene's numbers are, as --data says"},
+        {"frame", "frame", "ms", "Median of the rounds", Kind::Time, Better::Lower},
+        {"frame_low", "frame, lower quartile", "ms", "Of the rounds"},
+        {"frame_high", "frame, upper quartile", "ms", "Of the rounds"},
+        {"ratio", "ratio", "none, block = 1", "Of a frame's time to the plain loop's, in the same round", Kind::Ratio,
+         Better::Lower},
+        {"ratio_low", "ratio, lower quartile", "", "Of the rounds"},
+        {"ratio_high", "ratio, upper quartile", "", "Of the rounds"},
+        {"speed_up", "speed-up", "source = 1", "Of the source's time to this, in the same round: median", Kind::Ratio,
+         Better::Higher},
+        {"speed_up_low", "speed-up, lower quartile", "", "Of the rounds"},
+        {"speed_up_high", "speed-up, upper quartile", "", "Of the rounds"}};
     table.columns.insert(table.columns.end(), kWorkColumns.begin(), kWorkColumns.end());
     table.columns.push_back({"source", "source", "bytes", "Of the specialised shader", Kind::Count, Better::Lower});
     table.columns.push_back(
@@ -134,16 +135,17 @@ Table viewTable(const std::vector<ViewCosts>& views) {
 
 Table growthTable(const std::vector<GrowthCosts>& growth) {
     Table table{"growth", "Growth", {}, {}, 3};
-    table.columns = {{"arrangement", "arrangement", "", "Of the spheres: random, in eight heaps, or on a lattice"},
-                     {"spheres", "spheres", "", "In the scene"},
-                     {"way", "way", "", "Per --accel, not in parts; none only up to " + std::to_string(kMostLooped)},
-                     {"frame", "frame", "ms", "Median of the rounds", Kind::Time, Better::Lower},
-                     {"frame_low", "frame, lower quartile", "ms", "Of the rounds"},
-                     {"frame_high", "frame, upper quartile", "ms", "Of the rounds"},
-                     {"growth", "frame time", "fewest = 1", "To that of the fewest spheres: median of the rounds",
-                      Kind::Ratio, Better::Lower},
-                     {"growth_low", "frame time, lower quartile", "", "Of the rounds"},
-                     {"growth_high", "frame time, upper quartile", "", "Of the rounds"}};
+    table.columns = {
+        {"arrangement", "arrangement", "", "Of the spheres: random, in eight heaps, or on a lattice"},
+        {"spheres", "spheres", "", "In the scene"},
+        {"way", "way", "", "As --accel says, by one program; none only up to " + std::to_string(kMostLooped)},
+        {"frame", "frame", "ms", "Median of the rounds", Kind::Time, Better::Lower},
+        {"frame_low", "frame, lower quartile", "ms", "Of the rounds"},
+        {"frame_high", "frame, upper quartile", "ms", "Of the rounds"},
+        {"growth", "frame time", "fewest = 1", "To that of the fewest spheres: median of the rounds", Kind::Ratio,
+         Better::Lower},
+        {"growth_low", "frame time, lower quartile", "", "Of the rounds"},
+        {"growth_high", "frame time, upper quartile", "", "Of the rounds"}};
     table.columns.insert(table.columns.end(), kWorkColumns.begin(), kWorkColumns.end());
     table.columns.push_back(
         {"pack", "pack", "ms of one core",

@@ -46,10 +46,16 @@ void addSettings(CLI::App& command, Drawing& drawing) {
     for (const auto& row : settingsTable()) addSetting(command, drawing, row);
 }
 
+std::string optionNames(const SettingRow& row) {
+    std::string names = "--" + std::string(row.key);
+    for (const auto alias : row.aliases) names.append(",--").append(alias);
+    return names;
+}
+
 void addSetting(CLI::App& command, Drawing& drawing, const SettingRow& row, const Settings& standard) {
     const std::string key(row.key);
     const auto keep = [&drawing, key](const std::string& text) { drawing.values.emplace_back(key, text); };
-    command.add_option_function<std::string>("--" + key, keep, helpOf(row, standard))
+    command.add_option_function<std::string>(optionNames(row), keep, helpOf(row, standard))
         ->type_name(valuesOf(row))
         ->group(std::string(row.group))
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);

@@ -3,8 +3,8 @@
 
 #include "native/file/asset_folder.h"
 #include "tracer/problem.h"
-#include "tracer/settings/settings.h"
 #include "tracer/scene/scene.h"
+#include "tracer/settings/settings.h"
 
 #include <CLI/CLI.hpp>
 
@@ -37,6 +37,9 @@ void addScene(CLI::App& command, std::string& scene, bool required);
 void addSettings(CLI::App& command, Drawing&);
 /// One of them; `standard` are the values where it is not given.
 void addSetting(CLI::App& command, Drawing&, const SettingRow&, const Settings& standard = {});
+
+/// As CLI11 takes them: `--cone-origin,--direction`, the row's key and its aliases.
+std::string optionNames(const SettingRow&);
 
 /// The settings of the command line over the standard ones. Every wrong one is a problem.
 std::optional<Settings> readSettings(const Drawing&, Problems&, Settings standard = {});

@@ -291,6 +291,46 @@ TEST(ReadResults, TakesBackWhatWasWritten) {
     EXPECT_EQ(read->pictures[0].reference, std::optional<std::size_t>(0));
 }
 
+/// A run of `gnomon lab shadows`, with a chart and a picture; `origin` names the column and the ends of its cones.
+Results shadowRun(const std::string& key, const std::string& origin, const std::string& surface) {
+    Results results{"T", "c", {}, {}, {}, {}, {}};
+    results.tables = {{"shadows",
+                       "S",
+                       {{"model", "model", "", ""}, {key, origin, "", ""}, {"rmse", "error", "", "", Kind::Error}},
+                       {{"cone-linear", surface, 0.5}, {"hard", Cell{}, 1.0}},
+                       2},
+                      {"rivals", "R", {{"way", "way", "", ""}}, {{"cone-linear 1/30 " + surface}, {"silhouette"}}, 1}};
+    results.charts = {{"C", "shadows", "rmse", {{"rmse", ""}}, key, "", {{key, surface}}, false, false, ""}};
+    results.images = {"data:image/png;base64,AAAA"};
+    results.pictures = {{"P", "shadows", {"cone-linear", surface}, 0, {}, ""}};
+    return results;
+}
+
+TEST(ReadResults, BringsConeOriginsOfEarlierRunsUpToDate) {
+    Problems problems;
+    const auto then = readResults(toJson(shadowRun("direction", "direction", "A")), "f", problems);
+    ASSERT_TRUE(then) << toString(problems);
+    const Results now = shadowRun("cone_origin", "cone origin", "surface");
+    EXPECT_EQ(toJson(*then), toJson(now));
+    const Results both = compareRuns(*then, now, 0, problems);
+    EXPECT_TRUE(problems.empty()) << toString(problems);
+    ASSERT_EQ(both.tables.size(), 1U) << "no row is missing";
+    EXPECT_EQ(both.tables[0].rows[0][3], Cell(2.0)) << "both rows are compared";
+}
+
+TEST(ReadResults, BringsSettingsAndWaysOfEarlierRunsUpToDate) {
+    Results then = run({row("lite", 1, 1, 1)});
+    then.tables[0].columns[0].key = "direction";
+    then.tables[0].rows[0][0] = "b";
+    then.tables.push_back({"scenes", "S", {{"way", "way", "", ""}}, {{"parts"}, {"auto"}}, 1});
+    Problems problems;
+    const auto read = readResults(toJson(then), "f", problems);
+    ASSERT_TRUE(read) << toString(problems);
+    EXPECT_EQ(read->tables[0].columns[0].key, "cone-origin");
+    EXPECT_EQ(read->tables[0].rows[0][0], Cell("light"));
+    EXPECT_EQ(read->tables[1].rows, (std::vector<std::vector<Cell>>{{"variants"}, {"auto"}}));
+}
+
 /// The one problem of a text.
 std::string fault(const std::string& text) {
     Problems problems;
