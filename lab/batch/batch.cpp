@@ -1,8 +1,8 @@
 #include "lab/batch/batch.h"
 
 #include "tracer/gl/objects.h"
-#include "tracer/render/program_cache.h"
 #include "tracer/plan/scene_packer.h"
+#include "tracer/render/program_cache.h"
 #include "tracer/shader/shader_builder.h"
 
 namespace gnomon {

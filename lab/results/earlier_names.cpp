@@ -29,6 +29,9 @@ Present presentOf(const Table& table, const std::string& key) {
     const bool shadows = table.name == "shadows" || table.name == "variants"; // tables of `gnomon lab shadows`
     if (shadows && key == "direction") return {"cone_origin", "cone origin", kOrigins};
     if (key == "way") return {key, key, kWays};
+    const bool intersect = table.name == "summary" || table.name == "intersect"; // of `gnomon lab intersect`
+    if (intersect && key == "body") return {"shape", "shape", {}};
+    if (intersect && key.starts_with("naive_")) return {"textbook_" + key.substr(6), key, {}};
     const SettingRow* setting = table.name == "bench" ? findSetting(key) : nullptr;
     const auto* choice = setting ? std::get_if<ChoiceType>(&setting->type) : nullptr;
     if (choice) return {std::string(setting->key), std::string(setting->key), choice->renamed};

@@ -1,7 +1,7 @@
 /// The measurements of `gnomon lab shadows`: what a shadow model costs and how wrong the light fraction is.
 #pragma once
 
-#include "lab/trace/benchmark_case.h"
+#include "lab/bench/benchmark_case.h"
 #include "tracer/settings/settings.h"
 
 #include <functional>

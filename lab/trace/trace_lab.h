@@ -1,7 +1,7 @@
 /// The measurements of `gnomon lab trace`: what finding objects costs, by accelerator and data path.
 #pragma once
 
-#include "lab/trace/benchmark_case.h"
+#include "lab/bench/benchmark_case.h"
 #include "lab/trace/sphere_scenes.h"
 #include "tracer/gl/gl.h"
 #include "tracer/plan/features.h"
@@ -15,7 +15,7 @@
 
 namespace gnomon {
 
-/// How rays find objects: as `--accel` and `--data` say, or as the source document did. In parts besides, or by one
+/// How rays find objects: as `--accel` and `--data` say, or as the source document did. By shader variants, or by one
 /// program alone, so that accelerators differ in nothing else.
 struct TraceWay {
     Accel accel = Accel::Auto;
@@ -34,8 +34,9 @@ struct TraceCost {
     std::vector<double> seconds; ///< a frame in each round
     std::optional<Work> work;    ///< none of the source's way, which does not count
     ProgramStats program;
-    std::string search; ///< what the way came to: `sphere: block 5x5x4, sieve`; all else is asked one by one
-    Image image{};      ///< where pictures are asked for
+    std::string
+        search;    ///< what the way came to: `sphere: lattice 5x5x4, bounding-sphere mask`; all else is a plain loop
+    Image image{}; ///< where pictures are asked for
 };
 
 /// One picture, in all ways that can draw it.

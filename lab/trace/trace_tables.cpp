@@ -44,8 +44,8 @@ void appendWork(const std::optional<Work>& work, std::vector<Cell>& row) {
 
 const std::vector<Column> kWorkColumns{
     {"boxes", "boxes", "a pixel",
-     "Boxes of hierarchies and cells of blocks asked: mean; the balls of a sieve do not count", Kind::Count,
-     Better::Lower},
+     "Boxes of hierarchies and cells of lattices tested: mean; spheres of a bounding-sphere mask do not count",
+     Kind::Count, Better::Lower},
     {"objects", "objects", "a pixel", "Objects asked where a ray meets them: mean", Kind::Count, Better::Lower},
     {"shadow_rays", "shadow rays", "a pixel", "Mean", Kind::Count, Better::Lower}};
 
@@ -82,7 +82,7 @@ Quartiles growthOf(const std::vector<GrowthCosts>& growth, const GrowthCosts& sp
     return ratioOf(cost.seconds, fewest(growth, spheres, cost.way).seconds);
 }
 
-/// `auto` among those that read their numbers from the same place. The source's way is none that could be chosen, and a
+/// `auto` among those that read the scene from the same data path. The source's way is none that could be chosen, and a
 /// way that searches alike is the same program.
 void addChoice(const std::string& picture, const std::vector<TraceCost>& costs, DataPath data, Table& table) {
     const TraceCost* chosen = costIn(costs, {Accel::Auto, data});

@@ -109,7 +109,7 @@ ContextCosts measure(const BenchOptions& options, const BenchPlan& plan, const s
     const auto context = makeBenchContext(name, problems);
     if (!context) return costs;
     costs.environment = environmentOf(*contextNamed(name));
-    BenchRun lab(plan, scenes, {labClock(), processSeconds, 0, !drawnByProcessor(), context->resolver()}, problems);
+    BenchRun lab(plan, scenes, {labClock(), processSeconds, 0, !softwareRasterised(), context->resolver()}, problems);
     if (!problems.empty()) return costs;
     {
         LabProgress progress(plan.entries.size(), name + ": compiled");

@@ -1,6 +1,7 @@
-/// What the commands share: exit codes, messages, and the settings table as options.
+/// What the commands share: the settings table as options, and what is wrong with a command line.
 #pragma once
 
+#include "native/exit.h"
 #include "native/file/asset_folder.h"
 #include "tracer/problem.h"
 #include "tracer/scene/scene.h"
@@ -17,13 +18,8 @@
 
 namespace gnomon {
 
-enum ExitCode { kDone = 0, kInputWrong = 1, kCommandLineWrong = 2, kNoGl = 3, kInterrupted = 130 };
-
 /// Work a command line asks for; answers the exit code.
 using Task = std::function<int()>;
-
-/// Every problem as `gnomon: error: …` on stderr, then `code`.
-int fail(ExitCode code, const Problems&);
 
 /// A problem of the command line; `option` may be empty.
 Problem wrongOption(const std::string& option, const std::string& what, const std::string& remedy);
@@ -46,9 +42,6 @@ std::optional<Settings> readSettings(const Drawing&, Problems&, Settings standar
 
 /// The pose a picture is taken from, and whether settings and scene fit together.
 std::optional<CameraPose> poseOf(const Scene&, const Settings&, Problems&);
-
-/// As AssetFolder::find, readScene and readImages have it.
-std::optional<Loaded> load(const std::string& scene, Problems&);
 
 /// As it is typed after the program's name, `lab intersect`; empty for the program itself.
 std::string pathOf(const CLI::App& command);

@@ -129,7 +129,7 @@ TEST(BenchPlan, TellsEachRowInWords) {
 BenchCost cost(std::vector<double> seconds) {
     BenchCost cost;
     cost.drawn = true;
-    cost.cpu = cost.yards = cost.wall = std::move(seconds);
+    cost.cpu = cost.calibrated = cost.wall = std::move(seconds);
     cost.program.sourceBytes = 7;
     return cost;
 }
@@ -144,7 +144,7 @@ TEST(BenchSeries, ComeBackToTheLastBitFromTheirText) {
     const std::vector<BenchCost> read = readSeries(text);
     ASSERT_EQ(read.size(), 2U);
     EXPECT_EQ(read[0].wall, some.wall);
-    EXPECT_EQ(read[0].yards, some.yards);
+    EXPECT_EQ(read[0].calibrated, some.calibrated);
     EXPECT_TRUE(read[0].cpu.empty());
     EXPECT_EQ(read[0].passes, 2);
     EXPECT_EQ(read[0].program.compileMs, some.program.compileMs);

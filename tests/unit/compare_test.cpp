@@ -90,7 +90,7 @@ TEST(Quartiles, NotchesTellNoRowOfLikeRunsApartInNineteenColumnsOfTwenty) {
     EXPECT_LT(falseColumns(15, 24, 500), 0.05);
 }
 
-/// Rows of scene, depth and a frame with quartiles and yardsticks.
+/// Rows of scene, depth and a frame with quartiles, and over the calibration workload.
 Table runTable(const std::vector<std::vector<Cell>>& rows) {
     Table table{"bench", "Bench", {}, rows, 2};
     table.columns = {{"scene", "scene", "", ""},
@@ -98,9 +98,9 @@ Table runTable(const std::vector<std::vector<Cell>>& rows) {
                      {"frame", "frame", "ms", "", Kind::Time, Better::Lower},
                      {"frame_low", "", "ms", ""},
                      {"frame_high", "", "ms", ""},
-                     {"frame_yards", "frame", "yardsticks", ""},
-                     {"frame_yards_low", "", "yardsticks", ""},
-                     {"frame_yards_high", "", "yardsticks", ""},
+                     {"frame_yards", "frame", "calibration = 1", ""},
+                     {"frame_yards_low", "", "calibration = 1", ""},
+                     {"frame_yards_high", "", "calibration = 1", ""},
                      {"cpu", "cpu", "ms", "", Kind::Time, Better::Lower},
                      {"cpu_low", "", "ms", ""},
                      {"cpu_high", "", "ms", ""},
@@ -131,7 +131,7 @@ const Table& named(const Results& results, const std::string& name) {
 TEST(Compare, MatchesRowsByTheirKeysAndTellsRatiosInYardsticks) {
     const Results all = compared(run({row("lite", 1, 10, 1), row("lite", 4, 20, 2), row("pro", 1, 40, 4)}),
                                  run({row("lite", 4, 10, 2.06), row("lite", 1, 10, 2), row("new", 1, 10, 1)}));
-    ASSERT_EQ(all.tables.size(), 3U) << "summary, frame, missing rows; CPU times have no yardsticks beside them";
+    ASSERT_EQ(all.tables.size(), 3U) << "summary, frame, missing rows; CPU times are not calibrated";
     const Table& table = named(all, "bench_frame");
     ASSERT_EQ(table.rows.size(), 2U);
     for (const auto& cells : table.rows) EXPECT_EQ(cells.size(), table.columns.size());
@@ -147,8 +147,8 @@ TEST(Compare, MatchesRowsByTheirKeysAndTellsRatiosInYardsticks) {
     EXPECT_EQ(all.environment, (Environment{{"gl", "4.5"}}));
 }
 
-/// A run of 24 rows, three rounds each, whose yardsticks have a noise of 2 %; `shared`: and a part that is the same for
-/// all rows, as where one baseline is below all ratios.
+/// A run of 24 rows, three rounds each, whose calibrated times have a noise of 2 %; `shared`: and a part that is the
+/// same for all rows, as where one baseline is below all ratios.
 Results noisyRun(std::mt19937& random, double mean, bool shared) {
     std::vector<std::vector<Cell>> rows;
     std::normal_distribution<double> noise(0, 0.02);
