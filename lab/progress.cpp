@@ -24,11 +24,11 @@ extern "C" void stop(int) {
 
 } // namespace
 
-bool drawnByProcessor() { return gl::drawnByProcessor(gl::info().renderer); }
+bool softwareRasterised() { return gl::drawnByProcessor(gl::info().renderer); }
 
-double (*labClock())() { return drawnByProcessor() ? processSeconds : monotonicSeconds; }
+double (*labClock())() { return softwareRasterised() ? processSeconds : monotonicSeconds; }
 
-std::string labClockName() { return drawnByProcessor() ? "CPU time of the process, all threads" : "wall clock"; }
+std::string labClockName() { return softwareRasterised() ? "CPU time of the process, all threads" : "wall clock"; }
 
 LabProgress::LabProgress(std::size_t all, std::string done, double deadline)
     : all_(all), what_(std::move(done)), started_(monotonicSeconds()), told_(started_), deadline_(deadline) {

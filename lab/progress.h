@@ -6,9 +6,9 @@
 
 namespace gnomon {
 
-/// The current context draws with the processor.
-bool drawnByProcessor();
-/// Seconds as they are counted for the current context: of the process where the processor draws, else on the wall.
+/// The current context is a software rasteriser.
+bool softwareRasterised();
+/// The clock for the current context: CPU time of the process on a software rasteriser, else the wall clock.
 double (*labClock())();
 /// What labClock() counts, in words.
 std::string labClockName();

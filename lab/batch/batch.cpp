@@ -1,9 +1,9 @@
 #include "lab/batch/batch.h"
 
 #include "tracer/gl/objects.h"
-#include "tracer/shader/program_cache.h"
 #include "tracer/plan/scene_packer.h"
 #include "tracer/render/frame_uniforms.h"
+#include "tracer/shader/program_cache.h"
 #include "tracer/shader/shader_builder.h"
 
 namespace gnomon {

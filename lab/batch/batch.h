@@ -2,8 +2,8 @@
 #pragma once
 
 #include "tracer/problem.h"
-#include "tracer/settings/settings.h"
 #include "tracer/scene/scene.h"
+#include "tracer/settings/settings.h"
 #include "tracer/shader/library.h"
 
 #include <glm/glm.hpp>

@@ -2,8 +2,8 @@
 /// shadows are measured.
 #pragma once
 
-#include "tracer/clock.h"
 #include "lab/batch/batch.h"
+#include "tracer/clock.h"
 
 namespace gnomon {
 

@@ -1,7 +1,7 @@
 #include "lab/batch/numerics_self_test.h"
 
-#include "tracer/clock.h"
 #include "lab/batch/ray_batch.h"
+#include "tracer/clock.h"
 #include "tracer/scene/read_scene.h"
 
 #include <nlohmann/json.hpp>
@@ -213,7 +213,7 @@ bool isElsewhere(const Body& body, const Case& one, double t) {
     return false;
 }
 
-void judge(const Body& body, int object, const Case& one, const BatchHit& hit, NumericsSelfTest& selfTest) {
+void compareHit(const Body& body, int object, const Case& one, const BatchHit& hit, NumericsSelfTest& selfTest) {
     ++selfTest.rays;
     if (!one.truth.hit && hit.object < 0) return;
     const double off = body.distance(Vec(hit.point));
@@ -238,7 +238,7 @@ void measure(RayBatch& batch, const Scene& scene, NumericsSelfTest& selfTest) {
     const std::vector<BatchHit> hits = batch.trace(rays);
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const int object = i < cases.size() / 2 ? 0 : 1; // as in the scene: spheres come before tori
-        judge(bodies[object], object, cases[i], hits[i], selfTest);
+        compareHit(bodies[object], object, cases[i], hits[i], selfTest);
     }
     selfTest.measured = true;
 }
@@ -253,7 +253,7 @@ NumericsSelfTest runNumericsSelfTest(std::span<const ShaderFile> overrides) {
     const double start = monotonicSeconds();
     NumericsSelfTest selfTest;
     Problems problems;
-    if (const auto scene = readScene(kScene, "canary", problems)) {
+    if (const auto scene = readScene(kScene, "numerics self-test", problems)) {
         RayBatch batch(*scene, problems, overrides);
         if (batch.valid()) measure(batch, *scene, selfTest);
     }
@@ -268,10 +268,11 @@ std::string toString(const NumericsSelfTest& selfTest) {
     std::snprintf(
         text, sizeof text,
         "numerics %s: %d of %d decisions wrong, surface point within %.1f · 2^-23, distance within %.1f ulp%s",
-        selfTest.holds() ? "exact" : "NOT EXACT", selfTest.wrong, selfTest.rays, selfTest.worstPoint, selfTest.worstAlong,
+        selfTest.holds() ? "exact" : "NOT EXACT", selfTest.wrong, selfTest.rays, selfTest.worstPoint,
+        selfTest.worstAlong,
         selfTest.holds() ? ""
-                       : "; this driver changes float arithmetic, so edges of far objects fray and specks "
-                         "appear on them: update it, or use another");
+                         : "; this driver changes float arithmetic, so edges of far objects fray and specks "
+                           "appear on them: update it, or use another");
     return text;
 }
 

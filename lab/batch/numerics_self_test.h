@@ -2,8 +2,8 @@
 /// breaks them silently: this measures it where the user is.
 ///
 /// 2048 fixed rays from 10 000 units away, at a sphere and at a tilted torus about generic centres, half of them so
-/// near to tangency that the answer hangs on the last bits of shaders/ray/split.glsl. Every answer of the GPU is judged
-/// by a solution in double on the CPU, whose own error is below 2^-36 of the bodies' size.
+/// near to tangency that the answer hangs on the last bits of shaders/ray/split.glsl. Every answer of the GPU is
+/// compared with a solution in double on the CPU, whose own error is below 2^-36 of the shapes' size.
 #pragma once
 
 #include "tracer/shader/library.h"
@@ -16,9 +16,9 @@ namespace gnomon {
 struct NumericsSelfTest {
     bool measured = false;
     std::string problem;     ///< why it is not measured
-    int rays = 0;            ///< all at least 2^-22 of the body's size from tangency
+    int rays = 0;            ///< all at least 2^-22 of the shape's size from tangency
     int wrong = 0;           ///< of them: missed, invented, on another sheet, or no number
-    double worstPoint = 0;   ///< |signed distance of the surface point|, in 2^-23 of the body's size
+    double worstPoint = 0;   ///< |signed distance of the surface point|, in 2^-23 of the shape's size
     double worstAlong = 0;   ///< |signed distance of o + t d|, in ulp of t
     double milliseconds = 0; ///< that it took, compiling included
 
@@ -28,8 +28,8 @@ struct NumericsSelfTest {
 /// The bounds that docs/numerics.md states.
 inline constexpr double kMostPoint = 4, kMostAlong = 1.5;
 
-/// Measures the current context; needs float32 targets. Leaves framebuffer 0 bound and all that a Renderer relies on as
-/// it was. `overrides` take the place of library files: how tests show that it can fail.
+/// Measures the current context; needs float32 targets. Leaves framebuffer 0 bound and all GL state that a Renderer
+/// relies on as it was. `overrides` take the place of library files: how tests show that it can fail.
 NumericsSelfTest runNumericsSelfTest(std::span<const ShaderFile> overrides = {});
 
 /// One line: what was found, and where it does not hold what that means.

@@ -1,9 +1,9 @@
 /// What the rows of `gnomon bench` look like, each beside its baseline.
 #pragma once
 
-#include "tracer/image.h"
 #include "lab/bench/bench_run.h"
 #include "lab/results/results.h"
+#include "tracer/image.h"
 
 #include <vector>
 

@@ -54,23 +54,24 @@ Axis axisOf(const SettingRow& row, const std::string& text, std::string_view pla
     return axis;
 }
 
-/// The last value given for a key, or null.
-const std::string* given(Values values, std::string_view key) {
+/// The last value given for a setting, by its key or an alias, or null.
+const std::string* given(Values values, const SettingRow& row) {
     const std::string* text = nullptr;
     for (const auto& [name, value] : values)
-        if (name == key) text = &value;
+        if (findSetting(name) == &row) text = &value;
     return text;
 }
 
 /// Those that columns show. Settings with one value go into `fixed`.
 std::vector<Axis> axesOf(Values values, Settings& fixed, std::string_view place, Problems& problems) {
     const auto standard = [&](std::string_view key) {
-        const std::string* text = given(values, key);
-        return axisOf(*findSetting(key), text ? *text : standardList(key), place, problems);
+        const SettingRow& row = *findSetting(key);
+        const std::string* text = given(values, row);
+        return axisOf(row, text ? *text : standardList(key), place, problems);
     };
     std::vector<Axis> axes{standard("size")};
     for (const SettingRow& row : settingsTable()) {
-        const std::string* text = given(values, row.key);
+        const std::string* text = given(values, row);
         if (!text || row.key == "size" || row.key == "depth" || row.key == "shadows") continue;
         Axis axis = axisOf(row, *text, place, problems);
         if (axis.values.size() == 1)
@@ -131,13 +132,16 @@ void prescribe(const std::string& key, const std::string& text, const BenchPlan&
         prescribed.scene = std::size_t(found - plan.scenes.begin());
         return;
     }
+    const SettingRow* row = findSetting(key);
     const auto axis = std::find_if(plan.axes.begin(), plan.axes.end(),
-                                   [&](const Axis& candidate) { return candidate.setting->key == key; });
+                                   [&](const Axis& candidate) { return candidate.setting == row; });
     if (axis == plan.axes.end()) return refuse("'" + key + "' does not vary here", "use " + sayAxes(plan));
-    if (std::find(axis->values.begin(), axis->values.end(), text) == axis->values.end())
-        return refuse(key + " is never '" + text + "' here",
-                      "add it to " + spelled(place, key) + ", or choose one of its values");
-    prescribed.values[std::size_t(axis - plan.axes.begin())] = text;
+    const auto* choice = std::get_if<ChoiceType>(&row->type);
+    const std::string value(choice ? renamed(text, choice->renamed) : text);
+    if (std::find(axis->values.begin(), axis->values.end(), value) == axis->values.end())
+        return refuse(std::string(row->key) + " is never '" + text + "' here",
+                      "add it to " + spelled(place, row->key) + ", or choose one of its values");
+    prescribed.values[std::size_t(axis - plan.axes.begin())] = value;
 }
 
 /// Where nothing is prescribed: the first value of every axis.
@@ -216,7 +220,7 @@ std::vector<std::pair<std::string, std::string>> valuesOf(const BenchPlan& plan,
             std::find_if(plan.axes.begin(), plan.axes.end(), [&](const Axis& a) { return a.setting == &row; });
         if (axis != plan.axes.end())
             all.emplace_back(row.key, joined(axis->values));
-        else if (const std::string* value = given(values, row.key))
+        else if (const std::string* value = given(values, row))
             all.emplace_back(row.key, *value);
     }
     return all;

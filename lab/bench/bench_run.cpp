@@ -10,17 +10,19 @@
 namespace gnomon {
 namespace {
 
-/// A turn and a yardstick take at least that long, so that clocks and the start of drawing weigh little on fast GPUs:
+/// A turn and a calibration take at least that long, so that clocks and the start of drawing weigh little on fast GPUs:
 /// also in steps of the clock, where a browser makes them coarse.
-constexpr double kTurnSeconds = 0.04, kYardSeconds = 0.01;
-constexpr double kTurnSteps = 40, kYardSteps = 20;
+constexpr double kTurnSeconds = 0.04, kCalibrationSeconds = 0.01;
+constexpr double kTurnSteps = 40, kCalibrationSteps = 20;
 constexpr int kMostFrames = 500;
 
-/// A long turn's yardsticks take that share of it, up to so many seconds: a glimpse of the machine says little of a
-/// frame that takes a hundred times as long.
-constexpr double kCalibrationShare = 0.05, kMostYardSeconds = 0.25;
+/// A long turn's calibrations take that fraction of it, up to so many seconds: a glimpse of the machine says little of
+/// a frame that takes a hundred times as long.
+constexpr double kCalibrationFraction = 0.05, kMostCalibrationSeconds = 0.25;
 
-double leastYardSeconds(const BenchMeans& means) { return std::max(kYardSeconds, kYardSteps * means.clockStep); }
+double leastCalibrationSeconds(const BenchMeans& means) {
+    return std::max(kCalibrationSeconds, kCalibrationSteps * means.clockStep);
+}
 double leastTurnSeconds(const BenchMeans& means) { return std::max(kTurnSeconds, kTurnSteps * means.clockStep); }
 
 } // namespace
@@ -182,8 +184,8 @@ void BenchRun::turn(std::size_t entry, bool measured) {
     current_ = entry;
     rendererOf(entry).configure(plan_.entries[entry].settings);
     const int frames = frames_[entry];
-    const double yardSeconds = std::min(kCalibrationShare * turnSeconds_[entry], kMostYardSeconds);
-    const double before = measured ? calibration_->draw(yardSeconds) : 0;
+    const double calibrationSeconds = std::min(kCalibrationFraction * turnSeconds_[entry], kMostCalibrationSeconds);
+    const double before = measured ? calibration_->draw(calibrationSeconds) : 0;
     if (frames > 1) draw(entry); // a fast GPU's first frame after another program's takes longer
     gl::finish();
     const auto cpuSeconds = [&] { return means_.cpu ? means_.cpu() : 0; };
@@ -203,7 +205,7 @@ void BenchRun::turn(std::size_t entry, bool measured) {
     cost.passes = passes_;
     cost.wall.push_back(wall / frames);
     if (means_.cpu) cost.cpu.push_back(cpu / frames);
-    cost.yards.push_back(clock / frames / (0.5 * (before + calibration_->draw(yardSeconds))));
+    cost.calibrated.push_back(clock / frames / (0.5 * (before + calibration_->draw(calibrationSeconds))));
     gpuFrames_ = timer_ ? frames : 0;
 }
 
@@ -228,7 +230,7 @@ void BenchRun::contextLost() {
 }
 
 void BenchRun::contextRestored(Problems& problems) {
-    calibration_.emplace(means_.clock, leastYardSeconds(means_), problems);
+    calibration_.emplace(means_.clock, leastCalibrationSeconds(means_), problems);
     if (means_.gpuTimed) timer_.emplace(means_.resolver);
     stale_.clear();
     for (std::size_t i = costs_.size(); i-- > 0;)

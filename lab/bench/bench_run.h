@@ -2,9 +2,9 @@
 /// context. A host asks for one step after the other, so that a page lives meanwhile.
 #pragma once
 
-#include "tracer/gl/gpu_timer.h"
 #include "lab/bench/bench_plan.h"
 #include "lab/bench/calibration.h"
+#include "tracer/gl/gpu_timer.h"
 #include "tracer/render/renderer.h"
 
 #include <map>
@@ -23,10 +23,10 @@ struct BenchScene {
 
 /// What a host measures with.
 struct BenchMeans {
-    double (*clock)();         ///< seconds that yardsticks are told by
+    double (*clock)();         ///< seconds of frames over those of the calibration workload
     double (*cpu)() = nullptr; ///< seconds of the process, all threads; null where the host cannot tell
     double clockStep = 0;      ///< no less can be told apart by the clocks
-    bool gpuTimed = true;      ///< no: llvmpipe's timer tells a share of the frame that changes with its length
+    bool gpuTimed = true;      ///< no: llvmpipe's timer covers a fraction of the frame that changes with its length
     gl::Resolver resolver = nullptr;
 };
 
@@ -37,7 +37,7 @@ struct BenchCost {
     ProgramStats program;
     double firstSeconds = 0;            ///< of the first frame, from asking for it to its last pixel
     std::vector<double> wall, cpu, gpu; ///< of the clock; of the process and of the GPU, where they can be told
-    std::vector<double> yards;          ///< BenchMeans::clock beside that of a yardstick, drawn right before and after
+    std::vector<double> calibrated; ///< BenchMeans::clock over that of the calibration workload right before and after
 };
 
 /// Programs are compiled anew so often for a measurement, for where a program's code comes to lie in memory changes its
@@ -60,9 +60,9 @@ class BenchRun {
     BenchStep prepare(Problems&);
     /// Before begin(): what another run measured of the same plan stands before what this one will.
     void continueFrom(const std::vector<BenchCost>& earlier);
-    /// Rounds in so many passes, each of which compiles anew where the time allows. All take turns, in rounds, after one
-    /// round that is not measured. A turn is one frame, or as many as take a while. No round begins after `deadline` on
-    /// the monotonic clock, but one is drawn in any case. Then a step of race() for each turn.
+    /// Rounds in so many passes, each of which compiles anew where the time allows. All take turns, in rounds, after
+    /// one round that is not measured. A turn is one frame, or as many as take a while. No round begins after
+    /// `deadline` on the monotonic clock, but one is drawn in any case. Then a step of race() for each turn.
     void begin(int rounds, int passes, double deadline);
     BenchStep race();
 
@@ -105,7 +105,7 @@ class BenchRun {
     Renderers renderers_;
     std::vector<BenchCost> costs_;
     std::vector<bool> leftOut_;
-    std::vector<int> frames_;          ///< of a turn
+    std::vector<int> frames_;         ///< of a turn
     std::vector<double> turnSeconds_; ///< of the last one
 
     std::size_t current_ = 0;

@@ -9,7 +9,7 @@ namespace {
 
 /// A line is `drawn passes bytes buildMs compileMs firstSeconds`, then each series with its length before it.
 constexpr std::vector<double> BenchCost::*kSeries[] = {&BenchCost::wall, &BenchCost::cpu, &BenchCost::gpu,
-                                                       &BenchCost::yards};
+                                                       &BenchCost::calibrated};
 
 void append(double number, std::string& line) {
     char text[32];

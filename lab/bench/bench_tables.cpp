@@ -22,9 +22,9 @@ constexpr Measure kMeasures[] = {
     {"fps", "FPS", "1/s", "One over the median frame", Kind::None, Better::Higher},
     {"frame", "frame", "ms", "Wall clock, from asking for a frame to its last pixel: median of the rounds", Kind::Time,
      Better::Lower, true},
-    {"frame_yards", "frame", "yardsticks",
-     "The frame beside a fixed picture drawn right before and after it: median of the rounds. By the CPU's time where "
-     "the processor draws. What slows the machine slows both; runs are compared by it",
+    {"frame_yards", "frame", "calibration = 1",
+     "The frame over the calibration workload right before and after it: median of the rounds. By CPU time on a "
+     "software rasteriser. What slows the machine slows both; runs are compared by it",
      Kind::None, Better::Untold, true},
     {"cpu", "CPU", "ms", "CPU time of a frame, all threads together: median of the rounds", Kind::Time, Better::Lower,
      true},
@@ -87,7 +87,7 @@ std::vector<Cell> rowOf(const BenchPlan& plan, const ContextCosts& context, std:
     row.resize(row.size() + 1);
     if (measured) row.back() = 1 / frame.median;
     appendQuartiles(frame, measured, kMs, row);
-    appendQuartiles(quartilesOf(cost.yards), measured, 1, row);
+    appendQuartiles(quartilesOf(cost.calibrated), measured, 1, row);
     appendQuartiles(quartilesOf(cost.cpu), !cost.cpu.empty(), kMs, row);
     if (gpuTimed) row.resize(row.size() + 1);
     if (!cost.gpu.empty()) row.back() = kMs * quartilesOf(cost.gpu).median;

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int kSide = 192;
 
-// Frozen: what was measured in yardsticks before loses its meaning with any change of these.
+// Frozen: earlier measurements lose their meaning with any change of these.
 const char* const kVertex = R"(
 void main() {
     gl_Position = vec4(vec2((gl_VertexID << 1) & 2, gl_VertexID & 2) * 2.0 - 1.0, 0.0, 1.0);
@@ -39,7 +39,8 @@ CalibrationWorkload::CalibrationWorkload(double (*clock)(), double leastSeconds,
     for (gl::Program& program : programs_) {
         program = gl::Program(prelude + kVertex, prelude + kFragment);
         if (program.finished(false) && program.linked()) continue;
-        problems.push_back({"yardstick", 0, {}, "this GL does not take its shader: " + program.linkLog(), {}});
+        problems.push_back(
+            {"calibration workload", 0, {}, "this GL does not take its shader: " + program.linkLog(), {}});
         return;
     }
     drawOften(1); // some drivers compile at the first draw

@@ -1,5 +1,5 @@
-/// A fixed picture that is drawn beside what is measured: whatever slows the machine or its GPU slows both, so that
-/// times told in yardsticks can be held against those of another day.
+/// The calibration workload: a fixed picture drawn beside what is measured. Whatever slows the machine or its GPU slows
+/// both, so that times over those of the workload can be compared with those of another day.
 #pragma once
 
 #include "tracer/gl/objects.h"

@@ -37,8 +37,8 @@ Bounds boundsOf(ShapeKind kind) {
     case ShapeKind::Disc: return {0x1p-22, 1.5, 2, 1};
     case ShapeKind::Plane: return {0x1p-22, 4, 2, 1};
     case ShapeKind::Triangle: return {0x1p-22, 1.5, 2, 1};
-    case ShapeKind::LargeSphere:      // tests/shader/large_sphere_test.cpp
-    case ShapeKind::Mandelbulb: // have no intersector
+    case ShapeKind::LargeSphere: // tests/shader/large_sphere_test.cpp
+    case ShapeKind::Mandelbulb:  // have no intersector
     case ShapeKind::Solid: break;
     }
     return {};
@@ -63,7 +63,7 @@ Scale scaleOf(const Body<double>& body, const Line<double>& line, const ExactHit
 
 } // namespace
 
-Verdict judge(const Body<double>& body, const BatchRay& ray, const BatchHit& answer) {
+Verdict compareHit(const Body<double>& body, const BatchRay& ray, const BatchHit& answer) {
     const Line<double> line = lineOf(body, ray.origin, ray.direction);
     const ExactHit<double> exact = exactHit(body, line);
     const Vec3<double> p(Vec3<long double>(answer.point) - body.middle());
@@ -118,7 +118,8 @@ Tally compareHits(const Shape& shape, const std::vector<BatchRay>& rays, const s
     std::vector<std::thread> threads;
     for (std::size_t worker = 0; worker < workers; ++worker)
         threads.emplace_back([&, worker] {
-            for (std::size_t i = worker; i < rays.size(); i += workers) verdicts[i] = judge(body, rays[i], answers[i]);
+            for (std::size_t i = worker; i < rays.size(); i += workers)
+                verdicts[i] = compareHit(body, rays[i], answers[i]);
         });
     for (std::thread& thread : threads) thread.join();
     Tally tally;

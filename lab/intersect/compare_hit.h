@@ -1,8 +1,8 @@
 /// Holds the GPU's answer to a ray against the exact one.
 #pragma once
 
-#include "lab/reference/exact/exact_hit.h"
 #include "lab/batch/ray_batch.h"
+#include "lab/reference/exact/exact_hit.h"
 
 #include <cstdint>
 #include <vector>
@@ -44,7 +44,7 @@ struct Verdict {
 
     bool wrong() const { return missed || invented || elsewhere; }
 };
-Verdict judge(const Body<double>&, const BatchRay&, const BatchHit&);
+Verdict compareHit(const Body<double>&, const BatchRay&, const BatchHit&);
 
 /// Somewhere on the way along the line from where it meets the surface to s it is farther than `slack` off the surface.
 bool leavesSurface(const Body<double>&, const Line<double>&, double met, double s, double slack);
@@ -68,7 +68,7 @@ struct Tally {
     double decidedShare() const { return rays ? double(decided) / double(rays) : 0; }
 };
 bool within(const Tally&, const Bounds&);
-/// Judges on all cores; one answer a ray.
+/// On all cores; one answer a ray.
 Tally compareHits(const Shape&, const std::vector<BatchRay>&, const std::vector<BatchHit>&);
 
 } // namespace gnomon::oracle

@@ -45,7 +45,8 @@ struct IntersectLab::Pair {
         : shapes(placed), ours(sceneOf(placed), problems), textbook(sceneOf(placed), problems, overrides) {}
 };
 
-IntersectLab::IntersectLab(std::span<const ShaderFile> textbook, double (*clock)()) : textbook_(textbook), clock_(clock) {}
+IntersectLab::IntersectLab(std::span<const ShaderFile> textbook, double (*clock)())
+    : textbook_(textbook), clock_(clock) {}
 IntersectLab::~IntersectLab() = default;
 
 std::string_view raysOf(const IntersectCell& cell) { return cell.kind ? nameOf(*cell.kind) : "edges"; }
@@ -92,11 +93,11 @@ bool IntersectLab::measure(const IntersectCell& cell, int rays, IntersectRow& ro
 
 namespace {
 
-/// All rows of one body.
+/// All rows of one shape.
 struct Summary {
     std::int64_t decided = 0, wrong = 0;
     double margin = 0, ray = 0, point = 0, normal = 0;
-    std::vector<double> costs;                             ///< of uniform rays
+    std::vector<double> costs;                                   ///< of uniform rays
     std::int64_t textbookWrong[2] = {}, textbookDecided[2] = {}; ///< uniform, grazing
 
     void add(const IntersectRow& row) {
@@ -122,9 +123,9 @@ struct Summary {
 } // namespace
 
 Table intersectSummary(const std::vector<IntersectRow>& rows) {
-    Table table{"summary", "Every body, over all rays and distances", {}, {}, 1};
+    Table table{"summary", "Every shape, over all rays and distances", {}, {}, 1};
     table.columns = {
-        {"body", "body", "", "Shape and proportion"},
+        {"shape", "shape", "", "Shape and proportion"},
         {"decided", "decided rays", "", "Far enough from tangency that float32 has to be right", Kind::Count},
         {"wrong", "wrong", "", "Of the decided: missed, false hit, or elsewhere", Kind::Count, Better::Lower},
         {"margin", "farthest", "2^-24", "Of all decisions unlike the exact one: how far from tangency, in sizes",
@@ -132,9 +133,9 @@ Table intersectSummary(const std::vector<IntersectRow>& rows) {
         {"ray", "o + t d", "ulp", "Worst distance from the surface, in ulp at that distance", Kind::Error},
         {"point", "point", "2^-23", "Worst distance of the surface point from the surface, in roundings", Kind::Error},
         {"normal", "normal", "2^-23", "Worst error, as the turn of so many roundings of the point", Kind::Error},
-        {"naive_uniform", "textbook wrong, uniform", "%", "Missed and false hits of the textbook's formula",
+        {"textbook_uniform", "textbook wrong, uniform", "%", "Missed and false hits of the textbook's formula",
          Kind::Error},
-        {"naive_grazing", "textbook wrong, grazing", "%", "The same, of grazing rays", Kind::Error},
+        {"textbook_grazing", "textbook wrong, grazing", "%", "The same, of grazing rays", Kind::Error},
         {"cost", "cost", "textbook = 1", "Time of uniform rays: median over the distances"}};
     std::vector<std::string> names;
     for (const IntersectRow& row : rows)
@@ -157,14 +158,14 @@ Table intersectTable(const std::vector<IntersectRow>& rows) {
         {"shape", "shape", "", "As in scene files"},
         {"proportion", "proportion", "", "thin: 1/128 of the size"},
         {"class", "rays", "", "How the rays are chosen"},
-        {"distance", "distance", "sizes", "From the eye to the body; inside: from the world's origin to the body"},
+        {"distance", "distance", "sizes", "From the eye to the shape; inside: from the world's origin to the shape"},
         {"rays", "rays", "", "Traced", Kind::Count},
         {"decided", "decided", "", "Far enough from tangency that float32 has to be right; the others are in the band",
          Kind::Count},
         {"missed", "missed", "", "Of the decided", Kind::Count, Better::Lower},
         {"invented", "false hits", "", "Of the decided", Kind::Count, Better::Lower},
-        {"elsewhere", "elsewhere", "", "Of the decided: a hit, but not where the ray meets the body first", Kind::Count,
-         Better::Lower},
+        {"elsewhere", "elsewhere", "", "Of the decided: a hit, but not where the ray meets the shape first",
+         Kind::Count, Better::Lower},
         {"margin", "farthest", "2^-24", "Of all decisions unlike the exact one: how far from tangency, in sizes",
          Kind::Error},
     };
@@ -182,11 +183,11 @@ Table intersectTable(const std::vector<IntersectRow>& rows) {
     table.columns.insert(
         table.columns.end(),
         {{"share", "wrong decisions", "%", "Missed and false hits, of the decided", Kind::Error},
-         {"naive_share", "textbook: wrong decisions", "%", "As wrong decisions", Kind::Error},
-         {"naive_elsewhere", "textbook: elsewhere", "", "As elsewhere: farther off than 4 ulp, or another sheet",
+         {"textbook_share", "textbook: wrong decisions", "%", "As wrong decisions", Kind::Error},
+         {"textbook_elsewhere", "textbook: elsewhere", "", "As elsewhere: farther off than 4 ulp, or another sheet",
           Kind::Count, Better::Lower},
-         {"naive_ray_most", "textbook: o + t d, 99.9 %", "ulp", "As o + t d", Kind::Error},
-         {"naive_point_most", "textbook: point, 99.9 %", "2^-23", "As point", Kind::Error},
+         {"textbook_ray_most", "textbook: o + t d, 99.9 %", "ulp", "As o + t d", Kind::Error},
+         {"textbook_point_most", "textbook: point, 99.9 %", "2^-23", "As point", Kind::Error},
          {"cost", "cost", "textbook = 1", "Time of ours to the textbook's, interleaved: median", Kind::Ratio},
          {"cost_low", "cost, lower quartile", "textbook = 1", "Of the pairs"},
          {"cost_high", "cost, upper quartile", "textbook = 1", "Of the pairs"},
@@ -209,8 +210,9 @@ Table intersectTable(const std::vector<IntersectRow>& rows) {
                                 ours.worstMargin * 0x1p24};
         for (const Spread* values : {&ours.t, &ours.ray, &ours.point, &ours.normal})
             cells.insert(cells.end(), {values->median, values->most, values->worst});
-        cells.insert(cells.end(), {share(ours), share(row.textbook), double(row.textbook.elsewhere), row.textbook.ray.most,
-                                   row.textbook.point.most, row.cost.median, row.cost.low, row.cost.high, double(kPairs)});
+        cells.insert(cells.end(),
+                     {share(ours), share(row.textbook), double(row.textbook.elsewhere), row.textbook.ray.most,
+                      row.textbook.point.most, row.cost.median, row.cost.low, row.cost.high, double(kPairs)});
         table.rows.push_back(std::move(cells));
     }
     return table;

@@ -22,7 +22,7 @@ struct IntersectCell {
 };
 std::string_view raysOf(const IntersectCell&);
 
-/// All that fit of the given shapes (empty: all) at the distances. Cells of one placed body follow each other.
+/// All that fit of the given shapes (empty: all) at the distances. Cells of one placed shape follow each other.
 std::vector<IntersectCell> intersectCells(const std::vector<std::string>& shapes, const std::vector<double>& distances);
 
 struct IntersectRow {
@@ -45,10 +45,10 @@ class IntersectLab {
     bool prepare(const std::vector<Shape>&, Problems&);
     std::span<const ShaderFile> textbook_;
     double (*clock_)();
-    std::unique_ptr<Pair> pair_; ///< compiled for the last placed body
+    std::unique_ptr<Pair> pair_; ///< compiled for the last placed shape
 };
 
-/// One row a body, over all classes and distances: what docs/numerics.md shows.
+/// One row a shape, over all classes and distances: what docs/numerics.md shows.
 Table intersectSummary(const std::vector<IntersectRow>&);
 /// Every row, and charts to go with it.
 Table intersectTable(const std::vector<IntersectRow>&);

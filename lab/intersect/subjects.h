@@ -1,8 +1,8 @@
 /// The bodies and the rays that intersectors are tried with.
 #pragma once
 
-#include "lab/reference/exact/exact_hit.h"
 #include "lab/batch/ray_batch.h"
+#include "lab/reference/exact/exact_hit.h"
 #include "tracer/scene/scene.h"
 
 #include <array>

@@ -1,7 +1,7 @@
 #include "lab/intersect/textbook_picture.h"
 
-#include "native/file/image_file.h"
 #include "lab/reference/textbook/textbook.h"
+#include "native/file/image_file.h"
 #include "tracer/render/renderer.h"
 #include "tracer/scene/read_scene.h"
 

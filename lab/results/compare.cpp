@@ -1,5 +1,6 @@
 #include "lab/results/compare.h"
 
+#include "lab/results/match_rows.h"
 #include "lab/results/quartiles.h"
 
 #include <algorithm>
@@ -7,7 +8,6 @@
 #include <cmath>
 #include <initializer_list>
 #include <limits>
-#include <map>
 
 namespace gnomon {
 namespace {
@@ -22,68 +22,6 @@ std::string_view wordFor(const Column& column, Verdict verdict) {
     const bool time = column.kind == Kind::Time || column.kind == Kind::Ratio;
     const bool judged = column.kind == Kind::Error || column.better != Better::Untold;
     return (time ? kTimeWords : judged ? kErrorWords : kCountWords)[std::size_t(verdict)];
-}
-
-std::optional<std::size_t> columnOf(const Table& table, const std::string& key) {
-    for (std::size_t i = 0; i < table.columns.size(); ++i)
-        if (table.columns[i].key == key) return i;
-    return std::nullopt;
-}
-
-/// Key columns of both, as places in each.
-struct Keys {
-    std::vector<std::size_t> before, after;
-};
-
-Keys commonKeys(const Table& before, const Table& after) {
-    Keys keys;
-    for (std::size_t i = 0; i < std::size_t(after.keys); ++i) {
-        const auto at = columnOf(before, after.columns[i].key);
-        if (!at || *at >= std::size_t(before.keys)) continue;
-        keys.before.push_back(*at);
-        keys.after.push_back(i);
-    }
-    return keys;
-}
-
-std::string nameOf(const std::vector<Cell>& row, const std::vector<std::size_t>& keys) {
-    std::string name;
-    for (const std::size_t key : keys) name += (name.empty() ? "" : ", ") + shown(row[key]);
-    return name;
-}
-
-/// Rows by name. A problem where two have one name.
-std::map<std::string, std::size_t> rowsByName(const Table& table, const std::vector<std::size_t>& keys,
-                                              Problems& problems) {
-    std::map<std::string, std::size_t> rows;
-    for (std::size_t i = 0; i < table.rows.size(); ++i) {
-        const std::string name = nameOf(table.rows[i], keys);
-        if (rows.emplace(name, i).second) continue;
-        problems.push_back({{},
-                            0,
-                            "table " + inQuotes(table.name),
-                            "several rows are " + inQuotes(name),
-                            "compare runs that vary the same settings"});
-        return {};
-    }
-    return rows;
-}
-
-struct Pair {
-    const std::vector<Cell>*before, *after;
-};
-
-/// Rows of both runs, in the order of the later one.
-std::vector<Pair> matchRows(const Table& before, const Table& after, const Keys& keys, Problems& problems) {
-    const std::size_t known = problems.size();
-    const auto old = rowsByName(before, keys.before, problems);
-    rowsByName(after, keys.after, problems);
-    std::vector<Pair> pairs;
-    if (problems.size() > known) return pairs;
-    for (const auto& row : after.rows)
-        if (const auto found = old.find(nameOf(row, keys.after)); found != old.end())
-            pairs.push_back({&before.rows[found->second], &row});
-    return pairs;
 }
 
 /// 1 where it is not told.
@@ -157,36 +95,18 @@ struct Measured {
 };
 
 std::vector<Measured> measuredIn(const Table& before, const Table& after) {
-    std::vector<Measured> times, yards, ratios;
+    std::vector<Measured> times, calibrated, ratios;
     for (const auto& [column, old, now] : comparedIn(before, after, {Kind::Time, Kind::Ratio})) {
         const auto time = timedTwice(before, after, column.key);
         if (!time) continue;
         (column.kind == Kind::Ratio ? ratios : times).push_back({column, *time, *time});
         if (const auto steady = timedTwice(before, after, column.key + "_yards"))
-            yards.push_back({column, *time, *steady});
+            calibrated.push_back({column, *time, *steady});
     }
-    std::vector<Measured> all = yards.empty() ? times : yards;
+    std::vector<Measured> all = calibrated.empty() ? times : calibrated;
     all.insert(all.end(), ratios.begin(), ratios.end());
     return all;
 }
-
-/// Two tables of one name, and what they have in common.
-struct Twins {
-    const Table &before, &after;
-    Keys keys;
-    std::vector<Pair> pairs;
-
-    std::vector<Column> keyColumns() const {
-        std::vector<Column> columns;
-        for (const std::size_t key : keys.after) columns.push_back(after.columns[key]);
-        return columns;
-    }
-    std::vector<Cell> keyCells(const Pair& pair) const {
-        std::vector<Cell> cells;
-        for (const std::size_t key : keys.after) cells.push_back((*pair.after)[key]);
-        return cells;
-    }
-};
 
 /// How many rows became what.
 struct Tally {
@@ -232,7 +152,8 @@ Table timeTable(const Twins& twins, const Column& measured) {
     appendColumns("old", measured.unit, "Median", "Quartile of the rounds", table);
     appendColumns("new", measured.unit, "Median", "Quartile of the rounds", table);
     appendColumns("ratio", "old = 1",
-                  "Of the medians in yardsticks, where both runs have them, and what noise leaves it: the intervals of "
+                  "Of the medians over the calibration workload, where both runs have them, and what noise leaves it: "
+                  "the intervals of "
                   "all rows hold together with 95 %",
                   "End of the interval that noise leaves the ratio", table);
     table.columns.push_back({"verdict", "new is", "",

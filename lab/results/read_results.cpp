@@ -1,5 +1,6 @@
 #include "lab/results/read_results.h"
 
+#include "lab/results/earlier_names.h"
 #include "tracer/scene/json_document.h"
 
 #include <algorithm>
@@ -271,7 +272,9 @@ std::optional<Results> readResults(std::string_view text, const std::string& fil
     }
     ResultsReader reader(file, problems);
     Results results = reader.results(*root);
-    return reader.failed() ? std::nullopt : std::optional(std::move(results));
+    if (reader.failed()) return std::nullopt;
+    bringUpToDate(results);
+    return results;
 }
 
 } // namespace gnomon

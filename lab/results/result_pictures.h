@@ -1,8 +1,8 @@
 /// Pictures that results hold beside their rows (docs/results.md): small, and each image once.
 #pragma once
 
-#include "tracer/image.h"
 #include "lab/results/results.h"
+#include "tracer/image.h"
 
 #include <glm/glm.hpp>
 

@@ -12,9 +12,10 @@ namespace {
 /// Ways that share a program: only numbers differ.
 using Program = std::pair<ShadowModel, ConeOrigin>;
 
-class Scenery {
+/// The benchmark cases of one scene: one for each program.
+class SceneCases {
   public:
-    Scenery(const Loaded& loaded, const ShadowPlan& plan, Problems& problems)
+    SceneCases(const Loaded& loaded, const ShadowPlan& plan, Problems& problems)
         : loaded_(loaded), plan_(plan),
           problems_(problems), view_{plan.camera.value_or(loaded.scene.camera), 0, plan.size.x, plan.size.y} {}
 
@@ -72,21 +73,22 @@ void markFront(ShadowCosts& costs) {
 }
 
 /// What is read back of each way, beside the reference.
-bool readBack(Scenery& scenery, const ShadowPlan& plan, ShadowCosts& costs, LabProgress& progress, Problems& problems) {
+bool readBack(SceneCases& cases, const ShadowPlan& plan, ShadowCosts& costs, LabProgress& progress,
+              Problems& problems) {
     const ShadowWay off{ShadowModel::Off}, exact{ShadowModel::Montecarlo, ConeOrigin::Surface, 0.1, plan.reference};
-    const FloatImage objects = scenery.output(off, costs.radius, Aov::Object);
-    const FloatImage fractions = scenery.output(exact, costs.radius, Aov::Visibility);
-    const FloatImage picture = scenery.output(exact, costs.radius, Aov::Color);
+    const FloatImage objects = cases.output(off, costs.radius, Aov::Object);
+    const FloatImage fractions = cases.output(exact, costs.radius, Aov::Visibility);
+    const FloatImage picture = cases.output(exact, costs.radius, Aov::Color);
     if (!problems.empty()) return false;
-    costs.reference = scenery.pictureOf(picture);
-    const double bare = meanOf(scenery.output(off, costs.radius, Aov::Steps), 0);
+    costs.reference = cases.pictureOf(picture);
+    const double bare = meanOf(cases.output(off, costs.radius, Aov::Steps), 0);
     if (!progress.step()) return false;
     for (ShadowCost& cost : costs.ways) {
-        const auto output = [&](Aov aov) { return scenery.output(cost.way, costs.radius, aov); };
+        const auto output = [&](Aov aov) { return cases.output(cost.way, costs.radius, aov); };
         cost.visibility = errorsOf(differences(output(Aov::Visibility), fractions, objects));
         const FloatImage colors = output(Aov::Color);
         cost.picture = errorsOf(differences(colors, picture, objects));
-        cost.image = scenery.pictureOf(colors);
+        cost.image = cases.pictureOf(colors);
         cost.evaluations = meanOf(output(Aov::Steps), 0) - bare;
         if (shadowRow(cost.way.model).rays) cost.shadowRays = meanOf(output(Aov::Work), 2);
         if (!problems.empty() || !progress.step()) return false;
@@ -94,17 +96,17 @@ bool readBack(Scenery& scenery, const ShadowPlan& plan, ShadowCosts& costs, LabP
     return true;
 }
 
-bool raceAll(Scenery& scenery, const ShadowPlan& plan, ShadowCosts& costs, double (*clock)(), LabProgress& progress,
+bool raceAll(SceneCases& cases, const ShadowPlan& plan, ShadowCosts& costs, double (*clock)(), LabProgress& progress,
              Problems& problems) {
     std::vector<Settings> settings{settingsFor(plan, {ShadowModel::Off}, costs.radius)};
-    std::vector<Entrant> entrants{{scenery.benchmarkCase({ShadowModel::Off}), scenery.view(), nullptr}};
+    std::vector<TimedCase> timed{{cases.benchmarkCase({ShadowModel::Off}), cases.view(), nullptr}};
     for (const ShadowCost& cost : costs.ways) {
         settings.push_back(settingsFor(plan, cost.way, costs.radius));
-        entrants.push_back({scenery.benchmarkCase(cost.way), scenery.view(), nullptr});
+        timed.push_back({cases.benchmarkCase(cost.way), cases.view(), nullptr});
     }
     if (!problems.empty()) return false;
-    for (std::size_t i = 0; i < entrants.size(); ++i) entrants[i].settings = &settings[i];
-    const auto times = race(entrants, plan.rounds, clock, progress);
+    for (std::size_t i = 0; i < timed.size(); ++i) timed[i].settings = &settings[i];
+    const auto times = race(timed, plan.rounds, clock, progress);
     costs.bare = times[0];
     for (std::size_t i = 0; i < costs.ways.size(); ++i) costs.ways[i].seconds = times[i + 1];
     return true;
@@ -153,7 +155,7 @@ std::vector<ShadowWay> waysOf(const ShadowPlan& plan) {
         } else if (marchesCones(model)) {
             for (const double epsilon : plan.epsilons)
                 for (const ConeOrigin coneOrigin : {ConeOrigin::Surface, ConeOrigin::Light})
-                    if (coneOrigin == ConeOrigin::Surface || plan.bothDirections)
+                    if (coneOrigin == ConeOrigin::Surface || plan.bothOrigins)
                         ways.push_back({model, coneOrigin, epsilon});
         } else {
             ways.push_back({model});
@@ -178,14 +180,14 @@ std::vector<ShadowCosts> measureShadows(const Loaded& loaded, const ShadowPlan& 
         problems.push_back({loaded.scene.file, 0, {}, "there is no light in this scene", "take one that has lights"});
         return all;
     }
-    Scenery scenery(loaded, plan, problems);
+    SceneCases cases(loaded, plan, problems);
     std::vector<double> radii = plan.radii;
     if (radii.empty()) radii = {loaded.scene.lights[0].radius};
     for (const double radius : radii) {
         ShadowCosts costs{loaded.scene.name, radius, {}, {}, {}};
         for (const ShadowWay& way : waysOf(plan)) costs.ways.push_back({way, {}, 0, {}, {}, {}, false, {}});
-        if (!readBack(scenery, plan, costs, progress, problems)) break;
-        if (!raceAll(scenery, plan, costs, clock, progress, problems)) break;
+        if (!readBack(cases, plan, costs, progress, problems)) break;
+        if (!raceAll(cases, plan, costs, clock, progress, problems)) break;
         if (costs.bare.empty()) break;
         markFront(costs);
         all.push_back(std::move(costs));

@@ -1,7 +1,7 @@
 /// The measurements of `gnomon lab shadows`: what a shadow model costs and how wrong the light fraction is.
 #pragma once
 
-#include "lab/trace/benchmark_case.h"
+#include "lab/bench/benchmark_case.h"
 #include "tracer/settings/settings.h"
 
 #include <functional>
@@ -19,7 +19,7 @@ struct ShadowWay {
     double epsilon = 1.0 / 30;
     int samples = 64;
 };
-/// Whether the model has an epsilon and a direction, or samples.
+/// Whether the model has an epsilon and a cone origin, or samples.
 bool marchesCones(ShadowModel);
 bool takesSamples(ShadowModel);
 
@@ -55,7 +55,7 @@ struct ShadowPlan {
     std::vector<double> epsilons{1.0 / 10, 1.0 / 30, 1.0 / 256};
     std::vector<int> samples{1, 4, 16, 64};
     std::vector<ShadowModel> models; ///< off and hard aside
-    bool bothDirections = true;
+    bool bothOrigins = true;
     std::optional<CameraPose> camera;     ///< instead of the scene's
     std::optional<glm::ivec2> pictures{}; ///< their size
 };

@@ -18,7 +18,7 @@ Image pictureOf(const Loaded& loaded, const ShadowPlan& plan, const ShadowWay& w
     BenchmarkCase benchmarkCase(loaded.scene, loaded.images, settings, {}, problems);
     if (!problems.empty()) return {};
     return benchmarkCase.picture(settings, {plan.camera.value_or(loaded.scene.camera), 0, plan.size.x, plan.size.y},
-                             problems);
+                                 problems);
 }
 
 /// Model, reference and their difference, side by side.
@@ -51,9 +51,8 @@ bool writePictures(const std::string& folder, const Loaded& loaded, const Shadow
     }
     const Image reference =
         pictureOf(loaded, plan, {ShadowModel::Montecarlo, ConeOrigin::Surface, kBase, kReference}, problems);
-    const auto nearest = std::min_element(plan.epsilons.begin(), plan.epsilons.end(), [](double a, double b) {
-        return std::abs(a - kBase) < std::abs(b - kBase);
-    });
+    const auto nearest = std::min_element(plan.epsilons.begin(), plan.epsilons.end(),
+                                          [](double a, double b) { return std::abs(a - kBase) < std::abs(b - kBase); });
     for (const ShadowModel model : plan.models) {
         if (model == ShadowModel::Montecarlo || nearest == plan.epsilons.end()) continue;
         const Image image = pictureOf(loaded, plan, {model, ConeOrigin::Surface, *nearest}, problems);

@@ -18,7 +18,7 @@ std::string nameOf(ConeOrigin origin) { return origin == ConeOrigin::Surface ? "
 
 double median(const std::vector<double>& seconds) { return quartilesOf(seconds).median; }
 
-/// `cone-linear 1/30 A`, `montecarlo 16`.
+/// `cone-linear 1/30 surface`, `montecarlo 16`.
 std::string nameOf(const ShadowWay& way) {
     std::string name(shadowRow(way.model).key);
     if (takesSamples(way.model)) return name + " " + std::to_string(way.samples);
@@ -66,8 +66,8 @@ const ShadowCost* nearestWithin(const ShadowCosts& costs, ShadowModel model, dou
     for (const ShadowCost& cost : costs.ways) {
         if (cost.way.model != model) continue;
         const double price = priceOf(cost);
-        const bool dearer = best && price > priceOf(*best), within = best && priceOf(*best) <= most;
-        if (!best || (within ? dearer && price <= most : !dearer)) best = &cost;
+        const bool costlier = best && price > priceOf(*best), within = best && priceOf(*best) <= most;
+        if (!best || (within ? costlier && price <= most : !costlier)) best = &cost;
     }
     return best;
 }

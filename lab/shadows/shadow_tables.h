@@ -1,8 +1,8 @@
 /// What `gnomon lab shadows` measured, as tables and charts.
 #pragma once
 
-#include "lab/shadows/shadow_lab.h"
 #include "lab/results/results.h"
+#include "lab/shadows/shadow_lab.h"
 
 #include <vector>
 
@@ -10,7 +10,7 @@ namespace gnomon {
 
 /// Every way under every light: cost, evaluations, errors.
 Table shadowTable(const std::vector<ShadowCosts>&);
-/// As the source document's tables 6.1 to 6.3: epsilon by variant and direction, frame times without shadows = 1.
+/// As the source document's tables 6.1 to 6.3: epsilon by variant and cone origin, frame times without shadows = 1.
 Table variantTable(const std::vector<ShadowCosts>&);
 /// The best of ours beside the source's linear variant at epsilon 1/30 and Monte Carlo at equal time.
 Table rivalTable(const std::vector<ShadowCosts>&);

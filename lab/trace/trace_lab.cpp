@@ -1,11 +1,12 @@
 #include "lab/trace/trace_lab.h"
 
-#include "lab/reference/textbook/textbook.h"
 #include "lab/reference/textbook/source_scene.h"
+#include "lab/reference/textbook/textbook.h"
 #include "tracer/clock.h"
 #include "tracer/plan/scene_offsets.h"
 #include "tracer/software/tuning.h"
 #include "tracer/plan/scene_packer.h"
+#include "tracer/shader/program_cache.h"
 
 #include <algorithm>
 #include <array>
@@ -21,7 +22,7 @@ constexpr std::array kSceneWays{TraceWay{Accel::None, DataPath::Block},
                                 TraceWay{Accel::None, DataPath::Texture},
                                 TraceWay{Accel::Hierarchy, DataPath::Texture},
                                 TraceWay{Accel::Auto, DataPath::Texture},
-                                TraceWay{.data = DataPath::Texture, .parts = true},
+                                TraceWay{.data = DataPath::Texture, .variants = true},
                                 TraceWay{.accel = Accel::None, .source = true}};
 
 constexpr double kFrameSeconds = 1.0 / 60;
@@ -66,13 +67,13 @@ std::vector<NamedView> viewsOf(const Scene& scene, glm::ivec2 size) {
     return views;
 }
 
-std::string latticeText(glm::ivec3 cells) {
-    return "lattice " + std::to_string(cells.x) + "x" + std::to_string(cells.y) + "x" + std::to_string(cells.z);
+std::string latticeText(glm::ivec3 size) {
+    return "lattice " + std::to_string(size.x) + "x" + std::to_string(size.y) + "x" + std::to_string(size.z);
 }
 
 /// Kinds that are asked one by one go without saying.
 std::string searchOf(const SceneFeatures& features) {
-    constexpr std::array names{"loop", "sieve", "hierarchy", "cells"}; // as Search
+    constexpr std::array names{"loop", "bounding-sphere mask", "hierarchy", "uniform grid"}; // as Search
     std::string text;
     for (const KindCount& kind : features.shapes) {
         if (kind.latticeMembers() == 0 && kind.search == Search::Loop) continue;
@@ -102,7 +103,7 @@ double millisecondsOf(int rounds, const std::function<void()>& work) {
 
 std::string nameOf(const TraceWay& way) {
     if (way.source) return "source";
-    if (way.parts) return "parts";
+    if (way.variants) return "variants";
     return way.accel == Accel::None ? "none" : way.accel == Accel::Hierarchy ? "hierarchy" : "auto";
 }
 
@@ -123,7 +124,7 @@ Settings TraceLab::settingsFor(const TraceWay& way) const {
     Settings settings = settings_;
     settings.accel = way.accel;
     settings.data = way.data;
-    settings.parts = way.parts ? Parts::On : Parts::Off;
+    settings.variants = way.variants ? Variants::On : Variants::Off;
     return settings;
 }
 
@@ -178,9 +179,9 @@ std::vector<ViewCosts> TraceLab::measure(const Loaded& loaded, LabProgress& prog
     }
     std::vector<ViewCosts> costs;
     for (std::size_t i = 0; i < views.size() && !LabProgress::interrupted(); ++i) {
-        std::vector<Entrant> entrants;
-        for (const Prepared& one : all) entrants.push_back({one.benchmarkCase.get(), views[i]});
-        const auto times = race(entrants, rounds_, clock_, progress);
+        std::vector<TimedCase> timed;
+        for (const Prepared& one : all) timed.push_back({one.benchmarkCase.get(), views[i]});
+        const auto times = race(timed, rounds_, clock_, progress);
         if (times[0].empty()) break;
         costs.push_back({named[i].name, {}});
         for (std::size_t k = 0; k < all.size(); ++k) {
@@ -194,7 +195,7 @@ std::vector<ViewCosts> TraceLab::measure(const Loaded& loaded, LabProgress& prog
 std::vector<GrowthCosts> TraceLab::measure(Arrangement arrangement, const std::vector<int>& counts,
                                            LabProgress& progress, Problems& problems) const {
     std::vector<Prepared> all;
-    std::vector<Entrant> entrants;
+    std::vector<TimedCase> timed;
     std::vector<GrowthCosts> growth;
     for (const int number : numbersOf(arrangement, counts)) {
         const Scene scene = sphereScene(arrangement, number);
@@ -205,16 +206,16 @@ std::vector<GrowthCosts> TraceLab::measure(Arrangement arrangement, const std::v
             if (!prepared) return {};
             growth.back().ways.push_back(
                 {prepared->costs[0], packMs(gnomon::prepare(scene), way), loadMs(scene, way)});
-            entrants.push_back({prepared->benchmarkCase.get(), view});
+            timed.push_back({prepared->benchmarkCase.get(), view});
             all.push_back(std::move(*prepared));
             if (!progress.step()) return {};
         }
     }
-    const auto times = race(entrants, rounds_, clock_, progress);
+    const auto times = race(timed, rounds_, clock_, progress);
     if (times[0].empty()) return {};
-    std::size_t entrant = 0;
+    std::size_t next = 0;
     for (GrowthCosts& spheres : growth)
-        for (GrowthCosts::Way& way : spheres.ways) way.cost.seconds = times[entrant++];
+        for (GrowthCosts::Way& way : spheres.ways) way.cost.seconds = times[next++];
     return growth;
 }
 

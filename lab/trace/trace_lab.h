@@ -1,11 +1,11 @@
 /// The measurements of `gnomon lab trace`: what finding objects costs, by accelerator and data path.
 #pragma once
 
-#include "lab/trace/benchmark_case.h"
+#include "lab/bench/benchmark_case.h"
 #include "lab/trace/sphere_scenes.h"
 #include "tracer/gl/gl.h"
-#include "tracer/settings/settings.h"
 #include "tracer/plan/plan.h"
+#include "tracer/settings/settings.h"
 
 #include <memory>
 #include <optional>
@@ -15,16 +15,16 @@
 
 namespace gnomon {
 
-/// How rays find objects: as `--accel` and `--data` say, or as the source document did. In parts besides, or by one
+/// How rays find objects: as `--accel` and `--data` say, or as the source document did. By shader variants, or by one
 /// program alone, so that accelerators differ in nothing else.
 struct TraceWay {
     Accel accel = Accel::Auto;
     DataPath data = DataPath::Block;
-    bool source = false, parts = false;
+    bool source = false, variants = false;
 
     bool operator==(const TraceWay&) const = default;
 };
-/// source, none, hierarchy, auto, parts; block, texture.
+/// source, none, hierarchy, auto, variants; block, texture.
 std::string nameOf(const TraceWay&);
 std::string dataOf(const TraceWay&);
 
@@ -34,8 +34,9 @@ struct TraceCost {
     std::vector<double> seconds; ///< a frame in each round
     std::optional<Work> work;    ///< none of the source's way, which does not count
     ProgramStats program;
-    std::string search; ///< what the way came to: `sphere: block 5x5x4, sieve`; all else is asked one by one
-    Image image{};      ///< where pictures are asked for
+    std::string
+        search;    ///< what the way came to: `sphere: lattice 5x5x4, bounding-sphere mask`; all else is a plain loop
+    Image image{}; ///< where pictures are asked for
 };
 
 /// One picture, in all ways that can draw it.

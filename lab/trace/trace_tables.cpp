@@ -44,8 +44,8 @@ void appendWork(const std::optional<Work>& work, std::vector<Cell>& row) {
 
 const std::vector<Column> kWorkColumns{
     {"boxes", "boxes", "a pixel",
-     "Boxes of hierarchies and cells of blocks asked: mean; the balls of a sieve do not count", Kind::Count,
-     Better::Lower},
+     "Boxes of hierarchies and cells of lattices tested: mean; spheres of a bounding-sphere mask do not count",
+     Kind::Count, Better::Lower},
     {"objects", "objects", "a pixel", "Objects asked where a ray meets them: mean", Kind::Count, Better::Lower},
     {"shadow_rays", "shadow rays", "a pixel", "Mean", Kind::Count, Better::Lower}};
 
@@ -82,7 +82,7 @@ Quartiles growthOf(const std::vector<GrowthCosts>& growth, const GrowthCosts& sp
     return ratioOf(cost.seconds, fewest(growth, spheres, cost.way).seconds);
 }
 
-/// `auto` among those that read their numbers from the same place. The source's way is none that could be chosen, and a
+/// `auto` among those that read the scene from the same data path. The source's way is none that could be chosen, and a
 /// way that searches alike is the same program.
 void addChoice(const std::string& picture, const std::vector<TraceCost>& costs, DataPath data, Table& table) {
     const TraceCost* chosen = costIn(costs, {Accel::Auto, data});
@@ -108,20 +108,21 @@ std::string titleOf(const GrowthCosts& spheres) {
 
 Table viewTable(const std::vector<ViewCosts>& views) {
     Table table{"scenes", "Scenes", {}, {}, 3};
-    table.columns = {{"view", "view", "", "The scene from its own camera, or from where the name says"},
-                     {"way", "way", "", "source: the document's way; parts: auto, in parts; else as --accel says"},
-                     {"data", "data", "", "Where the scene's numbers are, as --data says"},
-                     {"frame", "frame", "ms", "Median of the rounds", Kind::Time, Better::Lower},
-                     {"frame_low", "frame, lower quartile", "ms", "Of the rounds"},
-                     {"frame_high", "frame, upper quartile", "ms", "Of the rounds"},
-                     {"ratio", "ratio", "none, block = 1", "Of a frame's time to the plain loop's, in the same round",
-                      Kind::Ratio, Better::Lower},
-                     {"ratio_low", "ratio, lower quartile", "", "Of the rounds"},
-                     {"ratio_high", "ratio, upper quartile", "", "Of the rounds"},
-                     {"speed_up", "speed-up", "source = 1", "Of the source's time to this, in the same round: median",
-                      Kind::Ratio, Better::Higher},
-                     {"speed_up_low", "speed-up, lower quartile", "", "Of the rounds"},
-                     {"speed_up_high", "speed-up, upper quartile", "", "Of the rounds"}};
+    table.columns = {
+        {"view", "view", "", "The scene from its own camera, or from where the name says"},
+        {"way", "way", "", "source: the document's way; variants: auto, by shader variants; else as --accel says"},
+        {"data", "data", "", "Where the scene's numbers are, as --data says"},
+        {"frame", "frame", "ms", "Median of the rounds", Kind::Time, Better::Lower},
+        {"frame_low", "frame, lower quartile", "ms", "Of the rounds"},
+        {"frame_high", "frame, upper quartile", "ms", "Of the rounds"},
+        {"ratio", "ratio", "none, block = 1", "Of a frame's time to the plain loop's, in the same round", Kind::Ratio,
+         Better::Lower},
+        {"ratio_low", "ratio, lower quartile", "", "Of the rounds"},
+        {"ratio_high", "ratio, upper quartile", "", "Of the rounds"},
+        {"speed_up", "speed-up", "source = 1", "Of the source's time to this, in the same round: median", Kind::Ratio,
+         Better::Higher},
+        {"speed_up_low", "speed-up, lower quartile", "", "Of the rounds"},
+        {"speed_up_high", "speed-up, upper quartile", "", "Of the rounds"}};
     table.columns.insert(table.columns.end(), kWorkColumns.begin(), kWorkColumns.end());
     table.columns.push_back({"source", "source", "bytes", "Of the specialised shader", Kind::Count, Better::Lower});
     table.columns.push_back(
@@ -134,16 +135,17 @@ Table viewTable(const std::vector<ViewCosts>& views) {
 
 Table growthTable(const std::vector<GrowthCosts>& growth) {
     Table table{"growth", "Growth", {}, {}, 3};
-    table.columns = {{"arrangement", "arrangement", "", "Of the spheres: random, in eight heaps, or on a lattice"},
-                     {"spheres", "spheres", "", "In the scene"},
-                     {"way", "way", "", "Per --accel, not in parts; none only up to " + std::to_string(kMostLooped)},
-                     {"frame", "frame", "ms", "Median of the rounds", Kind::Time, Better::Lower},
-                     {"frame_low", "frame, lower quartile", "ms", "Of the rounds"},
-                     {"frame_high", "frame, upper quartile", "ms", "Of the rounds"},
-                     {"growth", "frame time", "fewest = 1", "To that of the fewest spheres: median of the rounds",
-                      Kind::Ratio, Better::Lower},
-                     {"growth_low", "frame time, lower quartile", "", "Of the rounds"},
-                     {"growth_high", "frame time, upper quartile", "", "Of the rounds"}};
+    table.columns = {
+        {"arrangement", "arrangement", "", "Of the spheres: random, in eight heaps, or on a lattice"},
+        {"spheres", "spheres", "", "In the scene"},
+        {"way", "way", "", "As --accel says, by one program; none only up to " + std::to_string(kMostLooped)},
+        {"frame", "frame", "ms", "Median of the rounds", Kind::Time, Better::Lower},
+        {"frame_low", "frame, lower quartile", "ms", "Of the rounds"},
+        {"frame_high", "frame, upper quartile", "ms", "Of the rounds"},
+        {"growth", "frame time", "fewest = 1", "To that of the fewest spheres: median of the rounds", Kind::Ratio,
+         Better::Lower},
+        {"growth_low", "frame time, lower quartile", "", "Of the rounds"},
+        {"growth_high", "frame time, upper quartile", "", "Of the rounds"}};
     table.columns.insert(table.columns.end(), kWorkColumns.begin(), kWorkColumns.end());
     table.columns.push_back(
         {"pack", "pack", "ms of one core",

@@ -1,8 +1,8 @@
 /// What `gnomon lab trace` shows of its measurements.
 #pragma once
 
-#include "lab/trace/trace_lab.h"
 #include "lab/results/results.h"
+#include "lab/trace/trace_lab.h"
 
 #include <string>
 #include <vector>

@@ -1,11 +1,11 @@
 /// gnomon bench: frames a second over depth, shadows, size and whatever else is to be compared.
 #include "lab/bench/bench_pictures.h"
+#include "lab/bench/bench_tables.h"
 #include "native/command/commands.h"
-#include "native/context/environment.h"
 #include "native/command/lab_command.h"
+#include "native/context/environment.h"
 #include "native/report/report.h"
 #include "tracer/clock.h"
-#include "lab/bench/bench_tables.h"
 
 #include <algorithm>
 #include <chrono>
@@ -109,7 +109,7 @@ ContextCosts measure(const BenchOptions& options, const BenchPlan& plan, const s
     const auto context = makeBenchContext(name, problems);
     if (!context) return costs;
     costs.environment = environmentOf(*contextNamed(name));
-    BenchRun lab(plan, scenes, {labClock(), processSeconds, 0, !drawnByProcessor(), context->resolver()}, problems);
+    BenchRun lab(plan, scenes, {labClock(), processSeconds, 0, !softwareRasterised(), context->resolver()}, problems);
     if (!problems.empty()) return costs;
     {
         LabProgress progress(plan.entries.size(), name + ": compiled");
@@ -197,7 +197,7 @@ void addList(CLI::App& command, BenchOptions& options, const SettingRow& row) {
     const bool plural = key == "depth" || key == "size";
     command
         .add_option_function<std::string>(
-            "--" + key + (plural ? ",--" + key + "s" : ""),
+            optionNames(row) + (plural ? ",--" + key + "s" : ""),
             [&options, key](const std::string& text) { options.values.emplace_back(key, text); }, helpOf(row))
         ->type_name(takesList(row) ? "VALUE,…" : "X,Y,Z")
         ->group(std::string(row.group))

@@ -2,8 +2,6 @@
 
 #include "tracer/plan/pose.h"
 
-#include <cstdio>
-
 namespace gnomon {
 
 namespace {
@@ -28,11 +26,6 @@ std::string valuesOf(const SettingRow& row) {
 
 } // namespace
 
-int fail(ExitCode code, const Problems& problems) {
-    for (const auto& problem : problems) std::fprintf(stderr, "gnomon: error: %s\n", toString(problem).c_str());
-    return code;
-}
-
 Problem wrongOption(const std::string& option, const std::string& what, const std::string& remedy) {
     return {"command line", 0, option, what, remedy};
 }
@@ -46,10 +39,16 @@ void addSettings(CLI::App& command, Drawing& drawing) {
     for (const auto& row : settingsTable()) addSetting(command, drawing, row);
 }
 
+std::string optionNames(const SettingRow& row) {
+    std::string names = "--" + std::string(row.key);
+    for (const auto alias : row.aliases) names.append(",--").append(alias);
+    return names;
+}
+
 void addSetting(CLI::App& command, Drawing& drawing, const SettingRow& row, const Settings& standard) {
     const std::string key(row.key);
     const auto keep = [&drawing, key](const std::string& text) { drawing.values.emplace_back(key, text); };
-    command.add_option_function<std::string>("--" + key, keep, helpOf(row, standard))
+    command.add_option_function<std::string>(optionNames(row), keep, helpOf(row, standard))
         ->type_name(valuesOf(row))
         ->group(std::string(row.group))
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
@@ -64,16 +63,6 @@ std::optional<Settings> readSettings(const Drawing& drawing, Problems& problems,
 
 std::optional<CameraPose> poseOf(const Scene& scene, const Settings& settings, Problems& problems) {
     return poseOf(scene, settings, "command line", problems);
-}
-
-std::optional<Loaded> load(const std::string& sceneName, Problems& problems) {
-    const auto assets = AssetFolder::find(problems);
-    if (!assets) return std::nullopt;
-    auto scene = assets->readScene(sceneName, problems);
-    if (!scene) return std::nullopt;
-    auto images = assets->readImages(*scene, problems);
-    if (!images) return std::nullopt;
-    return Loaded{*assets, std::move(*scene), std::move(*images)};
 }
 
 namespace {

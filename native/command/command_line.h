@@ -1,10 +1,11 @@
-/// What the commands share: exit codes, messages, and the settings table as options.
+/// What the commands share: the settings table as options, and what is wrong with a command line.
 #pragma once
 
+#include "native/exit.h"
 #include "native/file/asset_folder.h"
 #include "tracer/problem.h"
-#include "tracer/settings/settings.h"
 #include "tracer/scene/scene.h"
+#include "tracer/settings/settings.h"
 
 #include <CLI/CLI.hpp>
 
@@ -17,13 +18,8 @@
 
 namespace gnomon {
 
-enum ExitCode { kDone = 0, kInputWrong = 1, kCommandLineWrong = 2, kNoGl = 3, kInterrupted = 130 };
-
 /// Work a command line asks for; answers the exit code.
 using Task = std::function<int()>;
-
-/// Every problem as `gnomon: error: …` on stderr, then `code`.
-int fail(ExitCode code, const Problems&);
 
 /// A problem of the command line; `option` may be empty.
 Problem wrongOption(const std::string& option, const std::string& what, const std::string& remedy);
@@ -38,14 +34,14 @@ void addSettings(CLI::App& command, Drawing&);
 /// One of them; `standard` are the values where it is not given.
 void addSetting(CLI::App& command, Drawing&, const SettingRow&, const Settings& standard = {});
 
+/// As CLI11 takes them: `--cone-origin,--direction`, the row's key and its aliases.
+std::string optionNames(const SettingRow&);
+
 /// The settings of the command line over the standard ones. Every wrong one is a problem.
 std::optional<Settings> readSettings(const Drawing&, Problems&, Settings standard = {});
 
 /// The pose a picture is taken from, and whether settings and scene fit together.
 std::optional<CameraPose> poseOf(const Scene&, const Settings&, Problems&);
-
-/// As AssetFolder::find, readScene and readImages have it.
-std::optional<Loaded> load(const std::string& scene, Problems&);
 
 /// As it is typed after the program's name, `lab intersect`; empty for the program itself.
 std::string pathOf(const CLI::App& command);

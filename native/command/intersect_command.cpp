@@ -1,9 +1,9 @@
 /// gnomon lab intersect: every shape's intersector, error beside cost.
-#include "native/context/environment.h"
-#include "native/command/lab_command.h"
+#include "lab/intersect/intersect_lab.h"
 #include "lab/intersect/textbook_picture.h"
 #include "lab/reference/textbook/textbook.h"
-#include "lab/intersect/intersect_lab.h"
+#include "native/command/lab_command.h"
+#include "native/context/environment.h"
 #include "tracer/scene/shapes.h"
 
 #include <algorithm>
@@ -118,7 +118,7 @@ void addIntersectLab(CLI::App& lab, Task& task) {
     auto* intersect =
         lab.add_subcommand("intersect", "Every shape's intersector against an exact oracle and the textbook");
     intersect->add_option("--shapes", options->shapes, "Only these")->type_name("SHAPE,…")->delimiter(',');
-    intersect->add_option("--distances", options->distances, "Sizes from the eye to the body")
+    intersect->add_option("--distances", options->distances, "Sizes from the eye to the shape")
         ->type_name("N,…")
         ->delimiter(',');
     intersect->add_option("--rays", options->rays, "Rays of each class at each distance [4000]")->type_name("N");

@@ -1,10 +1,10 @@
 /// What the laboratories' commands share: where GL comes from, where results go, the clock, what is left to do.
 #pragma once
 
-#include "native/command/command_line.h"
-#include "native/context/context.h"
 #include "lab/progress.h"
 #include "lab/results/results.h"
+#include "native/command/command_line.h"
+#include "native/context/context.h"
 
 #include <string>
 #include <vector>

@@ -1,7 +1,7 @@
 /// gnomon scenes, gnomon settings and gnomon info: what there is.
+#include "lab/batch/numerics_self_test.h"
 #include "native/command/commands.h"
 #include "native/context/context.h"
-#include "lab/batch/numerics_self_test.h"
 
 #include <nlohmann/json.hpp>
 

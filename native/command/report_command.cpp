@@ -1,8 +1,8 @@
 /// gnomon report: results of several runs as one page, or two runs held against each other.
-#include "native/command/commands.h"
-#include "native/report/report.h"
 #include "lab/results/compare.h"
 #include "lab/results/read_results.h"
+#include "native/command/commands.h"
+#include "native/report/report.h"
 
 #include <cstdio>
 #include <filesystem>

@@ -5,6 +5,7 @@
 #include "tracer/software/tuning.h"
 #include "tracer/software/uncommon_features.h"
 #include "tracer/shader/shader_builder.h"
+#include "tracer/software/uncommon_features.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -54,13 +55,13 @@ void checkChoice(const char* option, const std::string& value, const std::vector
 ShaderSource sourceOf(const std::string& pass, const Plan& plan, Problems& problems) {
     if (pass == "canvas") return buildCanvas(plan, problems);
     if (pass == "sky") return buildShader("pass/sky.frag", skyOf(plan), problems);
-    return buildShader("pass/trace.frag", pass == "usual" ? baseOf(plan) : plan, problems);
+    return buildShader("pass/trace.frag", pass == "base" ? baseOf(plan) : plan, problems);
 }
 
 int shader(const ShaderOptions& options) {
     Problems problems;
     const auto settings = readSettings(options.drawing, problems);
-    checkChoice("pass", options.pass, {"trace", "usual", "sky", "canvas"}, problems);
+    checkChoice("pass", options.pass, {"trace", "base", "sky", "canvas"}, problems);
     checkChoice("glsl", options.glsl, {"es300", "gl330"}, problems);
     if (!problems.empty()) return fail(kCommandLineWrong, problems);
     const auto assets = AssetFolder::find(problems);
@@ -86,11 +87,14 @@ void addShader(CLI::App& app, Task& task) {
     auto* command =
         app.add_subcommand("shader", "Prints the exact GLSL a scene and settings are drawn with; needs no GL");
     addScene(*command, options->drawing.scene, true);
-    command->add_option("--pass", options->pass, "Fragment shader, those of its parts, or vertex shader [trace]")
-        ->type_name("trace|usual|sky|canvas");
+    command
+        ->add_option("--pass", options->pass,
+                     "Fragment shader, its base variant, that of the sky, or vertex shader [trace]")
+        ->type_name("trace|base|sky|canvas")
+        ->transform([](std::string pass) { return pass == "usual" ? std::string("base") : pass; }); // its earlier name
     command->add_option("--glsl", options->glsl, "GLSL ES 3.00 or GLSL 3.30 [es300]")->type_name("es300|gl330");
-    command->add_flag("--processor", options->processor, "As for a GL in software, where the processor draws");
-    command->add_flag("--swiftshader", options->swiftShader, "As for SwiftShader, Chromium's GL in software");
+    command->add_flag("--processor", options->processor, "As for a software rasteriser");
+    command->add_flag("--swiftshader", options->swiftShader, "As for SwiftShader, Chromium's software rasteriser");
     command->add_flag("--stats", options->stats, "Its size, its modules and its compile time with OSMesa instead");
     addSettings(*command, options->drawing);
     command->callback([&task, options] { task = [options] { return shader(*options); }; });

@@ -1,23 +1,26 @@
 /// gnomon lab shadows: what shadow models cost and how wrong they are.
-#include "native/context/environment.h"
-#include "native/command/lab_command.h"
 #include "lab/results/result_pictures.h"
 #include "lab/shadows/shadow_lab.h"
 #include "lab/shadows/shadow_pictures.h"
 #include "lab/shadows/shadow_tables.h"
+#include "native/command/lab_command.h"
+#include "native/context/environment.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 
 namespace gnomon {
 
 namespace {
 
+constexpr std::array kEarlierOrigins{Renamed{"a", "surface"}, Renamed{"ab", "both"}};
+
 struct ShadowOptions {
     LabOptions lab;
     std::vector<std::string> scenes{"simple", "complex", "mandelbulb"}, models;
     ShadowPlan plan;
-    std::string size = "160x120", directions = "ab", pictures;
+    std::string size = "160x120", coneOrigins = "both", pictures;
 };
 
 std::vector<std::string> allModels() {
@@ -60,9 +63,10 @@ void checkOptions(ShadowOptions& options, Problems& problems) {
     for (const double radius : options.plan.radii) checkRange("radii", radius, 0, 1e4, problems);
     for (const double epsilon : options.plan.epsilons) checkRange("epsilons", epsilon, 1.0 / 4096, 0.5, problems);
     for (const int samples : options.plan.samples) checkRange("samples", samples, 1, 65536, problems);
-    if (options.directions != "a" && options.directions != "ab")
-        problems.push_back(wrongOption("directions", "'" + options.directions + "' is not known", "use a or ab"));
-    options.plan.bothDirections = options.directions == "ab";
+    if (options.coneOrigins != "surface" && options.coneOrigins != "both")
+        problems.push_back(
+            wrongOption("cone-origins", "'" + options.coneOrigins + "' is not known", "use surface or both"));
+    options.plan.bothOrigins = options.coneOrigins == "both";
 }
 
 template<class Number>
@@ -76,7 +80,7 @@ std::vector<std::string> texts(const std::vector<Number>& numbers) {
 std::string commandOf(const ShadowOptions& options) {
     return "gnomon lab shadows" + listOption("scenes", options.scenes) + listOption("models", options.models) +
            listOption("radii", texts(options.plan.radii)) + listOption("epsilons", texts(options.plan.epsilons)) +
-           listOption("samples", texts(options.plan.samples)) + " --directions=" + options.directions +
+           listOption("samples", texts(options.plan.samples)) + " --cone-origins=" + options.coneOrigins +
            " --size=" + options.size + " --reference=" + std::to_string(options.plan.reference) +
            " --repeats=" + std::to_string(options.plan.rounds) + " --context=" + options.lab.context;
 }
@@ -141,8 +145,10 @@ void addShadowLab(CLI::App& lab, Task& task) {
     list("--epsilons", options->plan.epsilons, "Of the cone marches [1/10,1/30,1/256]", "E,…");
     list("--samples", options->plan.samples, "Of the Monte Carlo models [1,4,16,64]", "N,…");
     shadows
-        ->add_option("--directions", options->directions, "a: from the surface only, ab: from the light as well [ab]")
-        ->type_name("a|ab");
+        ->add_option("--cone-origins,--directions", options->coneOrigins,
+                     "Ends that cones are marched from: the surface only, or the light as well [both]")
+        ->type_name("surface|both")
+        ->transform([](std::string origins) { return std::string(renamed(origins, kEarlierOrigins)); });
     shadows->add_option("--size", options->size, "Of the picture [160x120]")->type_name("WIDTHxHEIGHT");
     shadows->add_option("--reference", options->plan.reference, "Samples of the reference [4096]")->type_name("N");
     shadows->add_option("--repeats", options->plan.rounds, "Rounds, in each of which every way draws a frame [5]")

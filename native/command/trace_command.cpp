@@ -1,9 +1,9 @@
 /// gnomon lab trace: what finding objects costs, by accelerator and data path, beside the source's way of tracing.
-#include "native/context/environment.h"
-#include "native/command/lab_command.h"
 #include "lab/results/result_pictures.h"
 #include "lab/trace/trace_lab.h"
 #include "lab/trace/trace_tables.h"
+#include "native/command/lab_command.h"
+#include "native/context/environment.h"
 
 #include <algorithm>
 #include <cstdio>

@@ -1,8 +1,8 @@
 /// What numbers of this run depend on: GL and driver, processor, system, the program itself.
 #pragma once
 
-#include "native/context/context.h"
 #include "lab/results/results.h"
+#include "native/context/context.h"
 
 namespace gnomon {
 

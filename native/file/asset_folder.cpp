@@ -127,4 +127,14 @@ std::optional<NamedImages> AssetFolder::readImages(const Scene& scene, Problems&
     return images.size() == names.size() ? std::optional(std::move(images)) : std::nullopt;
 }
 
+std::optional<Loaded> load(const std::string& nameOrFile, Problems& problems) {
+    const auto assets = AssetFolder::find(problems);
+    if (!assets) return std::nullopt;
+    auto scene = assets->readScene(nameOrFile, problems);
+    if (!scene) return std::nullopt;
+    auto images = assets->readImages(*scene, problems);
+    if (!images) return std::nullopt;
+    return Loaded{*assets, std::move(*scene), std::move(*images)};
+}
+
 } // namespace gnomon

@@ -42,5 +42,7 @@ struct Loaded {
     Scene scene;
     NamedImages images;
 };
+/// As AssetFolder::find, readScene and readImages have it.
+std::optional<Loaded> load(const std::string& nameOrFile, Problems&);
 
 } // namespace gnomon

@@ -1,5 +1,6 @@
 #include "native/window/session.h"
 
+#include "native/exit.h"
 #include "native/file/image_file.h"
 #include "tracer/gl/gl.h"
 #include "tracer/gl/read_top_down.h"

@@ -1,7 +1,7 @@
 /// What every kind of window does around the viewer: messages, loading another scene, taking a screenshot.
 #pragma once
 
-#include "native/command/command_line.h"
+#include "native/file/asset_folder.h"
 #include "tracer/render/viewer.h"
 
 #include <string>

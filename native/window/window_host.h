@@ -2,7 +2,9 @@
 /// frames.
 #pragma once
 
-#include "native/command/command_line.h"
+#include "native/exit.h"
+#include "native/file/asset_folder.h"
+#include "tracer/settings/settings.h"
 
 namespace gnomon {
 

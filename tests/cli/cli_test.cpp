@@ -131,7 +131,7 @@ TEST_F(Cli, LabTraceMeasuresEveryWayAndWritesItsNumbers) {
                                   "--shadows=hard --repeats=3 --context=osmesa");
     const auto &scenes = results["tables"][0], &growth = results["tables"][1], &choice = results["tables"][2];
     EXPECT_EQ(scenes["rows"].size(), 8U)
-        << "the source's way, in parts, and three with numbers in a block and in a texture";
+        << "the source's way, shader variants, and three that read a uniform block and a texture";
     EXPECT_EQ(growth["rows"].size(), 18U) << "three arrangements of two numbers in three ways";
     EXPECT_EQ(choice["rows"].size(), 8U) << "lite from a block and from a texture, and six of spheres";
     for (const char* counter : {"boxes", "objects", "shadow_rays"}) {
@@ -160,12 +160,31 @@ TEST_F(Cli, LabShadowsMeasuresEveryWayAndDrawsIt) {
         EXPECT_TRUE(std::filesystem::exists(folder_ / "pictures" / ("simple-" + std::string(model) + ".png"))) << model;
 }
 
+TEST_F(Cli, UnderstandsEarlierSpellingsAndWritesThePresentOnes) {
+    const Answer now = gnomon(
+                     "render simple --size=32x24 --shadows=cone-linear --cone-origin=light --variants=off -o a.pfm"),
+                 then = gnomon("render simple --size=32x24 --shadows=cone-linear --direction=b --parts=off -o b.pfm");
+    EXPECT_EQ(now.code + then.code, 0) << now.err << then.err;
+    EXPECT_EQ(readText(folder_ / "a.pfm"), readText(folder_ / "b.pfm"));
+    const std::string words =
+        "--models=cone-linear --epsilons=0.1 --size=16x12 --reference=16 --repeats=1 --json=l.json";
+    EXPECT_EQ(gnomon("lab shadows --scenes=simple --directions=a " + words).code, 0);
+    EXPECT_NE(readText(folder_ / "l.json").find(" --cone-origins=surface "), std::string::npos);
+    EXPECT_EQ(gnomon("bench simple --depth=1 --shadows=cone-linear --direction=a,b --size=16x12 --repeats=1 "
+                     "--baseline=direction=b --json=b.json")
+                  .code,
+              0);
+    EXPECT_NE(readText(folder_ / "b.json").find(" --cone-origin=surface,light "), std::string::npos);
+    expectRefused("render simple --direction=c -o c.png", 2, "cone-origin: 'c' is none of surface|light");
+    expectRefused("render simple --directon=a -o c.png", 2, "did you mean --direction?");
+}
+
 TEST_F(Cli, LabShadowsRefusesWhatItDoesNotKnow) {
     expectRefused("lab shadows --models=cone-liner", 2, "did you mean 'cone-linear'?");
     expectRefused("lab shadows --models=off", 2, "'off' is no shadow model");
     expectRefused("lab shadows --scenes=simpel", 1, "did you mean 'simple'?");
     expectRefused("lab shadows --epsilons=2", 2, "use 0.000244");
-    expectRefused("lab shadows --directions=c", 2, "use a or ab");
+    expectRefused("lab shadows --cone-origins=c", 2, "use surface or both");
     expectRefused("lab shadows --reference=1", 2, "use 16");
     expectRefused("lab shadows --size=0x4", 2, "size: 0 is out of range");
 }
@@ -345,7 +364,7 @@ TEST_F(Cli, RefusesWordsThatAreMissingOrTooMany) {
     expectRefused("render lite", 2, "--output is required");
     expectRefused("render lite more -o x.png", 2, "'more' is one word too many");
     expectRefused("render lite -o x.png --context=glut", 2, "'glut' is none of osmesa|egl|window");
-    expectRefused("shader lite --pass=blur", 2, "'blur' is none of trace|usual|sky|canvas");
+    expectRefused("shader lite --pass=blur", 2, "'blur' is none of trace|base|sky|canvas");
     expectRefused("view lite --window=qt", 2, "'qt' is none of glfw|sdl");
 }
 
@@ -441,14 +460,16 @@ TEST_F(Cli, TakesTheLastOfASettingGivenTwiceAndNegativeNumbersApart) {
 TEST_F(Cli, PrintsTheShaderWithoutAnyGl) {
     const Answer es = gnomon("shader lite"), core = gnomon("shader lite --glsl=gl330"),
                  canvas = gnomon("shader lite --pass=canvas"), sky = gnomon("shader lite --pass=sky"),
-                 usual = gnomon("shader lite --pass=usual --parts=on");
+                 base = gnomon("shader lite --pass=base --variants=on"),
+                 earlier = gnomon("shader lite --pass=usual --parts=on");
     EXPECT_EQ(es.code, 0) << es.err;
     EXPECT_EQ(es.out.rfind("#version 300 es", 0), 0U);
     EXPECT_EQ(core.out.rfind("#version 330 core", 0), 0U);
     EXPECT_NE(canvas.out.find("gl_Position"), std::string::npos);
     EXPECT_EQ(sky.out.find("struct Sphere"), std::string::npos);
-    EXPECT_NE(usual.out.find("discard"), std::string::npos);
-    EXPECT_EQ(usual.out.find("kDielectric) {"), std::string::npos) << "lite's glass is rare";
+    EXPECT_NE(base.out.find("discard"), std::string::npos);
+    EXPECT_EQ(base.out.find("kDielectric) {"), std::string::npos) << "lite's glass is an uncommon feature";
+    EXPECT_EQ(base.out, earlier.out) << "the earlier names of pass and setting";
     EXPECT_NE(es.out.find("kDielectric) {"), std::string::npos);
     EXPECT_EQ(es.out.find("Torus"), std::string::npos) << "lite has no torus, so its shader must not";
 }

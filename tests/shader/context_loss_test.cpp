@@ -46,7 +46,7 @@ TEST(ContextLoss, AThousandTimesInOneProcessLeavesNothingBehind) {
     offscreen();
     Settings settings = everything();
     settings.shadows = ShadowModel::Off;
-    settings.parts = Parts::Off;
+    settings.variants = Variants::Off;
     Drawing drawing(sceneFrom(R"({"objects": [{"sphere": {"center": [0, 0, 0], "radius": 1}}]})"), settings);
     const Image before = drawing.picture();
     const int objects = gl::liveObjects();

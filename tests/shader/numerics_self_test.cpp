@@ -1,9 +1,9 @@
-// The canary on every GL at hand: quiet where the shaders are as they stand, red for every shortcut that a compiler
-// could take in shaders/ray/split.glsl, and without a trace in the pictures that follow it.
+// The numerics self-test on every GL at hand: it passes with the shaders as they stand, fails for every shortcut that a
+// compiler could take in shaders/ray/split.glsl, and leaves the pictures that follow it unchanged.
 
+#include "lab/batch/numerics_self_test.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
-#include "lab/batch/numerics_self_test.h"
 
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ const Shortcut kShortcuts[] = {
 
 class ShortcutInSplit : public testing::TestWithParam<Shortcut> {};
 
-TEST_P(ShortcutInSplit, TurnsTheSelfTestRed) {
+TEST_P(ShortcutInSplit, FailsTheSelfTest) {
     offscreen();
     std::string split(shaderText("ray/split.glsl"));
     const std::size_t at = split.find(GetParam().line);
@@ -73,7 +73,7 @@ TEST(SelfTestAnswer, SaysWhyItIsNotMeasured) {
     EXPECT_NE(selfTest.problem, "");
 }
 
-TEST(SelfTestAnswer, LeavesNoTraceInThePicturesThatFollow) {
+TEST(SelfTestAnswer, LeavesThePicturesThatFollowUnchanged) {
     offscreen();
     for (const DataPath data : {DataPath::Block, DataPath::Texture}) {
         Settings settings;
@@ -84,7 +84,7 @@ TEST(SelfTestAnswer, LeavesNoTraceInThePicturesThatFollow) {
         ASSERT_TRUE(runNumericsSelfTest().holds());
         EXPECT_EQ(drawing.picture().rgba, before.rgba);
         Problems problems;
-        EXPECT_TRUE(gl::check("the canary", problems)) << toString(problems);
+        EXPECT_TRUE(gl::check("the numerics self-test", problems)) << toString(problems);
     }
 }
 

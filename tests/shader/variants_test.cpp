@@ -22,16 +22,16 @@ struct Shot {
     double time = 0, fov = 40;
 };
 
-Settings with(Parts parts, Settings settings) {
+Settings with(Variants variants, Settings settings) {
     settings.size = {163, 122};
-    settings.parts = parts;
+    settings.variants = variants;
     return settings;
 }
 
 /// All shots of the scene are the same with parts and without, and show something.
 void expectSame(const Scene& scene, const std::vector<Shot>& shots, const Settings& settings, const std::string& what) {
     offscreen();
-    Drawing whole(scene, with(Parts::Off, settings)), parts(scene, with(Parts::On, settings));
+    Drawing whole(scene, with(Variants::Off, settings)), parts(scene, with(Variants::On, settings));
     std::set<float> values;
     for (const Shot& shot : shots) {
         FloatImage pictures[2];
@@ -178,7 +178,7 @@ TEST(Parts, OfCrowdsAreTheWholePicture) {
 TEST(Parts, ComeInBandsAsInOne) {
     offscreen();
     constexpr int kWidth = 160, kHeight = 120;
-    Drawing drawing(sceneNamed("pro"), with(Parts::On, {}));
+    Drawing drawing(sceneNamed("pro"), with(Variants::On, {}));
     drawing.view.width = kWidth;
     drawing.view.height = kHeight;
     const gl::Target screen = gl::makeTarget(kWidth, kHeight, GL_RGBA8);

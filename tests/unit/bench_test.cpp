@@ -56,6 +56,16 @@ TEST(BenchPlan, CombinesTheValuesOfAnySettingEachOnce) {
     EXPECT_EQ(last.shadows, ShadowModel::Off);
 }
 
+TEST(BenchPlan, TakesASettingByItsEarlierNamesToo) {
+    const BenchPlan now =
+                        planned({"lite"}, {{"cone-origin", "surface,light"}, {"variants", "off"}}, "cone-origin=light"),
+                    then = planned({"lite"}, {{"direction", "a,b"}, {"parts", "off"}}, "direction=b");
+    EXPECT_EQ(optionsOf(then, Values{{"direction", "a,b"}, {"parts", "off"}}),
+              optionsOf(now, Values{{"cone-origin", "surface,light"}, {"variants", "off"}}));
+    EXPECT_EQ(then.baselines, now.baselines);
+    for (std::size_t i = 0; i < now.entries.size(); ++i) EXPECT_EQ(then.entries[i].settings, now.entries[i].settings);
+}
+
 TEST(BenchPlan, MakesTheSameAgainFromItsOptions) {
     const Values values{
         {"accel", "all"}, {"depth", "3"}, {"time", "0.5"}, {"size", "64x48,32x24"}, {"shadows", "hard"}};
@@ -119,7 +129,7 @@ TEST(BenchPlan, TellsEachRowInWords) {
 BenchCost cost(std::vector<double> seconds) {
     BenchCost cost;
     cost.drawn = true;
-    cost.cpu = cost.yards = cost.wall = std::move(seconds);
+    cost.cpu = cost.calibrated = cost.wall = std::move(seconds);
     cost.program.sourceBytes = 7;
     return cost;
 }
@@ -134,7 +144,7 @@ TEST(BenchSeries, ComeBackToTheLastBitFromTheirText) {
     const std::vector<BenchCost> read = readSeries(text);
     ASSERT_EQ(read.size(), 2U);
     EXPECT_EQ(read[0].wall, some.wall);
-    EXPECT_EQ(read[0].yards, some.yards);
+    EXPECT_EQ(read[0].calibrated, some.calibrated);
     EXPECT_TRUE(read[0].cpu.empty());
     EXPECT_EQ(read[0].passes, 2);
     EXPECT_EQ(read[0].program.compileMs, some.program.compileMs);
@@ -144,7 +154,8 @@ TEST(BenchSeries, ComeBackToTheLastBitFromTheirText) {
 }
 
 TEST(BenchSeries, AreNoneWhereTheTextIsAnother) {
-    for (const char* text : {"", "x", "1 2 three\n", "1 1 7 0 0 0 99999 0\n", "1 1 7 0 0 0 -1 0 0 0\n", "1 1 7 0 0 0 0 0 0"})
+    for (const char* text :
+         {"", "x", "1 2 three\n", "1 1 7 0 0 0 99999 0\n", "1 1 7 0 0 0 -1 0 0 0\n", "1 1 7 0 0 0 0 0 0"})
         EXPECT_TRUE(readSeries(text).empty()) << text;
 }
 

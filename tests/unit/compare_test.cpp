@@ -90,7 +90,7 @@ TEST(Quartiles, NotchesTellNoRowOfLikeRunsApartInNineteenColumnsOfTwenty) {
     EXPECT_LT(falseColumns(15, 24, 500), 0.05);
 }
 
-/// Rows of scene, depth and a frame with quartiles and yardsticks.
+/// Rows of scene, depth and a frame with quartiles, and over the calibration workload.
 Table runTable(const std::vector<std::vector<Cell>>& rows) {
     Table table{"bench", "Bench", {}, rows, 2};
     table.columns = {{"scene", "scene", "", ""},
@@ -98,9 +98,9 @@ Table runTable(const std::vector<std::vector<Cell>>& rows) {
                      {"frame", "frame", "ms", "", Kind::Time, Better::Lower},
                      {"frame_low", "", "ms", ""},
                      {"frame_high", "", "ms", ""},
-                     {"frame_yards", "frame", "yardsticks", ""},
-                     {"frame_yards_low", "", "yardsticks", ""},
-                     {"frame_yards_high", "", "yardsticks", ""},
+                     {"frame_yards", "frame", "calibration = 1", ""},
+                     {"frame_yards_low", "", "calibration = 1", ""},
+                     {"frame_yards_high", "", "calibration = 1", ""},
                      {"cpu", "cpu", "ms", "", Kind::Time, Better::Lower},
                      {"cpu_low", "", "ms", ""},
                      {"cpu_high", "", "ms", ""},
@@ -131,7 +131,7 @@ const Table& named(const Results& results, const std::string& name) {
 TEST(Compare, MatchesRowsByTheirKeysAndTellsRatiosInYardsticks) {
     const Results all = compared(run({row("lite", 1, 10, 1), row("lite", 4, 20, 2), row("pro", 1, 40, 4)}),
                                  run({row("lite", 4, 10, 2.06), row("lite", 1, 10, 2), row("new", 1, 10, 1)}));
-    ASSERT_EQ(all.tables.size(), 3U) << "summary, frame, missing rows; CPU times have no yardsticks beside them";
+    ASSERT_EQ(all.tables.size(), 3U) << "summary, frame, missing rows; CPU times are not calibrated";
     const Table& table = named(all, "bench_frame");
     ASSERT_EQ(table.rows.size(), 2U);
     for (const auto& cells : table.rows) EXPECT_EQ(cells.size(), table.columns.size());
@@ -147,8 +147,8 @@ TEST(Compare, MatchesRowsByTheirKeysAndTellsRatiosInYardsticks) {
     EXPECT_EQ(all.environment, (Environment{{"gl", "4.5"}}));
 }
 
-/// A run of 24 rows, three rounds each, whose yardsticks have a noise of 2 %; `shared`: and a part that is the same for
-/// all rows, as where one baseline is below all ratios.
+/// A run of 24 rows, three rounds each, whose calibrated times have a noise of 2 %; `shared`: and a part that is the
+/// same for all rows, as where one baseline is below all ratios.
 Results noisyRun(std::mt19937& random, double mean, bool shared) {
     std::vector<std::vector<Cell>> rows;
     std::normal_distribution<double> noise(0, 0.02);
@@ -289,6 +289,46 @@ TEST(ReadResults, TakesBackWhatWasWritten) {
     EXPECT_EQ(read->tables[0].columns[2].kind, Kind::Time);
     EXPECT_EQ(read->charts[0].front, "passes");
     EXPECT_EQ(read->pictures[0].reference, std::optional<std::size_t>(0));
+}
+
+/// A run of `gnomon lab shadows`, with a chart and a picture; `origin` names the column and the ends of its cones.
+Results shadowRun(const std::string& key, const std::string& origin, const std::string& surface) {
+    Results results{"T", "c", {}, {}, {}, {}, {}};
+    results.tables = {{"shadows",
+                       "S",
+                       {{"model", "model", "", ""}, {key, origin, "", ""}, {"rmse", "error", "", "", Kind::Error}},
+                       {{"cone-linear", surface, 0.5}, {"hard", Cell{}, 1.0}},
+                       2},
+                      {"rivals", "R", {{"way", "way", "", ""}}, {{"cone-linear 1/30 " + surface}, {"silhouette"}}, 1}};
+    results.charts = {{"C", "shadows", "rmse", {{"rmse", ""}}, key, "", {{key, surface}}, false, false, ""}};
+    results.images = {"data:image/png;base64,AAAA"};
+    results.pictures = {{"P", "shadows", {"cone-linear", surface}, 0, {}, ""}};
+    return results;
+}
+
+TEST(ReadResults, BringsConeOriginsOfEarlierRunsUpToDate) {
+    Problems problems;
+    const auto then = readResults(toJson(shadowRun("direction", "direction", "A")), "f", problems);
+    ASSERT_TRUE(then) << toString(problems);
+    const Results now = shadowRun("cone_origin", "cone origin", "surface");
+    EXPECT_EQ(toJson(*then), toJson(now));
+    const Results both = compareRuns(*then, now, 0, problems);
+    EXPECT_TRUE(problems.empty()) << toString(problems);
+    ASSERT_EQ(both.tables.size(), 1U) << "no row is missing";
+    EXPECT_EQ(both.tables[0].rows[0][3], Cell(2.0)) << "both rows are compared";
+}
+
+TEST(ReadResults, BringsSettingsAndWaysOfEarlierRunsUpToDate) {
+    Results then = run({row("lite", 1, 1, 1)});
+    then.tables[0].columns[0].key = "direction";
+    then.tables[0].rows[0][0] = "b";
+    then.tables.push_back({"scenes", "S", {{"way", "way", "", ""}}, {{"parts"}, {"auto"}}, 1});
+    Problems problems;
+    const auto read = readResults(toJson(then), "f", problems);
+    ASSERT_TRUE(read) << toString(problems);
+    EXPECT_EQ(read->tables[0].columns[0].key, "cone-origin");
+    EXPECT_EQ(read->tables[0].rows[0][0], Cell("light"));
+    EXPECT_EQ(read->tables[1].rows, (std::vector<std::vector<Cell>>{{"variants"}, {"auto"}}));
 }
 
 /// The one problem of a text.

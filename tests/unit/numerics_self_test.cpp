@@ -1,4 +1,4 @@
-// What the selfTest says, and when it says that the numerics hold.
+// What the numerics self-test says, and when it says that the numerics hold.
 #include "lab/batch/numerics_self_test.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,8 @@ TEST(NumericsSelfTest, HoldsWithinItsBoundsOnly) {
     point.worstPoint = 4.01;
     along.worstAlong = 1.51;
     none.rays = 0;
-    for (const NumericsSelfTest& selfTest : {wrong, point, along, none}) EXPECT_FALSE(selfTest.holds()) << toString(selfTest);
+    for (const NumericsSelfTest& selfTest : {wrong, point, along, none})
+        EXPECT_FALSE(selfTest.holds()) << toString(selfTest);
 }
 
 TEST(NumericsSelfTest, SaysInOneLineWhatItFoundAndWhatThatMeans) {

@@ -1,5 +1,5 @@
 /// The oracle against itself in 50 digits and with three times the samples: what double, long double and the steps
-/// along a ray leave open is far below what it judges. And the judge against answers that are right, and wrong in one
+/// along a ray leave open is far below what it decides. And compareHits() on answers that are right, and wrong in one
 /// thing.
 
 #include "lab/intersect/compare_hit.h"
@@ -83,7 +83,7 @@ BatchHit roundedAnswer(const Body<double>& body, const BatchRay& ray) {
     return answer;
 }
 
-class Judge : public testing::TestWithParam<Subject> {
+class CompareHits : public testing::TestWithParam<Subject> {
   protected:
     Shape shape = placed(GetParam(), RayClass::Uniform, 10);
     Body<double> body{shape};
@@ -97,7 +97,7 @@ class Judge : public testing::TestWithParam<Subject> {
             answers.push_back(roundedAnswer(body, rays.back()));
         }
     }
-    /// Judges what `spoil` makes of every hit.
+    /// Compares what `spoil` makes of every hit.
     template<class Spoil>
     Tally spoilt(const Spoil& spoil) const {
         std::vector<BatchHit> worse = answers;
@@ -107,14 +107,14 @@ class Judge : public testing::TestWithParam<Subject> {
     }
 };
 
-TEST_P(Judge, PassesExactAnswers) {
+TEST_P(CompareHits, PassesExactAnswers) {
     const Tally tally = compareHits(shape, rays, answers);
     EXPECT_TRUE(within(tally, boundsOf(shape.kind)))
         << tally.wrong() << ' ' << tally.ray.worst << ' ' << tally.point.worst << ' ' << tally.normal.worst;
     EXPECT_GT(tally.hits, 100);
 }
 
-TEST_P(Judge, TellsMissedAndInventedHits) {
+TEST_P(CompareHits, TellsMissedAndInventedHits) {
     const std::int64_t hits = compareHits(shape, rays, answers).hits;
     EXPECT_EQ(spoilt([](BatchHit& hit, const BatchRay&) { hit.object = -1; }).missed, hits);
     std::vector<BatchHit> all = answers;
@@ -123,7 +123,7 @@ TEST_P(Judge, TellsMissedAndInventedHits) {
     EXPECT_EQ(tally.invented, tally.decided - hits);
 }
 
-TEST_P(Judge, TellsAPointOfAnotherPlaceOfTheSurface) {
+TEST_P(CompareHits, TellsAPointOfAnotherPlaceOfTheSurface) {
     const std::int64_t hits = compareHits(shape, rays, answers).hits;
     const BatchHit other =
         *std::find_if(answers.begin(), answers.end(), [](const auto& hit) { return hit.object == 0; });
@@ -135,7 +135,7 @@ TEST_P(Judge, TellsAPointOfAnotherPlaceOfTheSurface) {
     EXPECT_LE(tally.point.worst, boundsOf(shape.kind).point) << "it is a point of the surface";
 }
 
-TEST_P(Judge, TellsTheFarSideOfAClosedBody) {
+TEST_P(CompareHits, TellsTheFarSideOfAClosedBody) {
     if (!body.closed()) return; // it has none
     const std::int64_t hits = compareHits(shape, rays, answers).hits;
     const Tally tally = spoilt([&](BatchHit& hit, const BatchRay& ray) {
@@ -146,7 +146,7 @@ TEST_P(Judge, TellsTheFarSideOfAClosedBody) {
     EXPECT_GE(tally.elsewhere, hits * 8 / 10); // but for short chords and second entries
 }
 
-TEST_P(Judge, TellsWhatIsNoNumberAndWhatIsNoObject) {
+TEST_P(CompareHits, TellsWhatIsNoNumberAndWhatIsNoObject) {
     const std::int64_t hits = compareHits(shape, rays, answers).hits;
     const float nan = std::numeric_limits<float>::quiet_NaN();
     EXPECT_GE(spoilt([&](BatchHit& hit, const BatchRay&) { hit.t = nan; }).elsewhere, hits);
@@ -155,7 +155,7 @@ TEST_P(Judge, TellsWhatIsNoNumberAndWhatIsNoObject) {
     EXPECT_GE(spoilt([&](BatchHit& hit, const BatchRay&) { hit.object = 1; }).elsewhere, hits);
 }
 
-INSTANTIATE_TEST_SUITE_P(Subjects, Judge, testing::ValuesIn(subjects()),
+INSTANTIATE_TEST_SUITE_P(Subjects, CompareHits, testing::ValuesIn(subjects()),
                          [](const auto& test) { return test.param.name(); });
 
 } // namespace

@@ -117,7 +117,7 @@ std::string joined(const std::vector<std::string>& lines) {
 }
 
 TEST(Rooms, AreFoldersAndFilesBesideThem) {
-    EXPECT_EQ(roomOf("tracer/plan/features.h"), "tracer/plan");
+    EXPECT_EQ(roomOf("tracer/plan/plan.h"), "tracer/plan");
     EXPECT_EQ(roomOf("tracer/image.h"), "tracer");
     EXPECT_EQ(roomOf("tracer/render/pass/trace.cpp"), "tracer/render");
     EXPECT_EQ(roomOf("lab/reference/exact/body.h"), "lab/reference/exact");

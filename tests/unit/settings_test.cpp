@@ -20,7 +20,7 @@ const std::map<std::string_view, std::vector<std::string>>& samples() {
         {"threshold", {"0", "1", "0.1", "1e-09"}},
         {"shadows", {"off", "montecarlo", "silhouette"}},
         {"epsilon", {"0.000244140625", "0.1", "0.5"}},
-        {"direction", {"b"}},
+        {"cone-origin", {"light"}},
         {"shadow-steps", {"1", "4096"}},
         {"samples", {"1", "65536"}},
         {"first-sample", {"1", "1048576"}},
@@ -44,7 +44,7 @@ const std::map<std::string_view, std::vector<std::string>>& samples() {
         {"vsync", {"off"}},
         {"accel", {"none", "hierarchy"}},
         {"data", {"block", "texture"}},
-        {"parts", {"on", "off"}},
+        {"variants", {"on", "off"}},
     };
     return texts;
 }
@@ -171,6 +171,7 @@ TEST(Settings, HasNoTwoRowsOfOneKeyAndNoTwoMeaningsOfOneHotkey) {
         for (unsigned char c : row.key) EXPECT_TRUE(std::islower(c) || c == '-') << row.key;
         EXPECT_FALSE(row.help.empty()) << row.key;
         EXPECT_FALSE(row.group.empty()) << row.key;
+        for (const auto alias : row.aliases) EXPECT_TRUE(keys.insert(alias).second) << alias;
     }
     for (const char* steering : {"W", "A", "S", "D", "Shift"}) EXPECT_FALSE(hotkeys.count(steering)) << steering;
 }
@@ -267,6 +268,42 @@ TEST(Settings, AreCompleteInTheirJson) {
     }
     EXPECT_EQ(table[0].at("default"), 4);
     EXPECT_EQ(table[0].at("hotkeys"), nlohmann::json({"Right", "Left"}));
+}
+
+TEST(Settings, TakeTheirEarlierKeysAndNamesAndWriteThePresentOnes) {
+    for (const auto& [was, is] : {std::pair{"direction=b", "cone-origin=light"},
+                                  {"direction=light", "cone-origin=light"},
+                                  {"cone-origin=b", "cone-origin=light"},
+                                  {"parts=off", "variants=off"}}) {
+        const std::string pair = was;
+        const std::size_t equals = pair.find('=');
+        Settings settings;
+        EXPECT_TRUE(takes(pair.substr(0, equals), pair.substr(equals + 1), &settings)) << was;
+        EXPECT_EQ(toUrlQuery(settings), is) << was;
+    }
+    Settings settings;
+    EXPECT_TRUE(takes("direction", "a", &settings));
+    EXPECT_EQ(settings, Settings{});
+}
+
+TEST(Settings, RefuseUnderAnEarlierKeyInThePresentWords) {
+    EXPECT_EQ(complaint("direction", "c"), "command line: cone-origin: 'c' is none of surface|light\n");
+    EXPECT_EQ(complaint("parts", "offf"), "command line: variants: 'offf' is none of auto|on|off; did you mean 'off'?\n");
+    EXPECT_EQ(complaint("directon", "a"),
+              "command line: there is no setting 'directon'; did you mean 'cone-origin'?\n");
+}
+
+TEST(Settings, TellTheirEarlierNamesInTheirJson) {
+    for (const auto& row : nlohmann::json::parse(settingsJson())) {
+        if (row["key"] == "cone-origin") {
+            EXPECT_EQ(row["aliases"], nlohmann::json({"direction"}));
+            EXPECT_EQ(row["renamed"], (nlohmann::json{{"a", "surface"}, {"b", "light"}}));
+        } else if (row["key"] == "variants") {
+            EXPECT_EQ(row["aliases"], nlohmann::json({"parts"}));
+        } else {
+            EXPECT_FALSE(row.contains("aliases")) << row["key"];
+        }
+    }
 }
 
 TEST(Settings, HaveOneLineEachInTheirMarkdown) {

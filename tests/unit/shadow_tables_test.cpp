@@ -34,7 +34,7 @@ TEST(ShadowWays, TakeWhatTheirModelDependsOn) {
     plan.epsilons = {0.1, 0.01};
     plan.samples = {2, 8, 32};
     EXPECT_EQ(waysOf(plan).size(), 1U + 3U + 3U + 2U * 2U);
-    plan.bothDirections = false;
+    plan.bothOrigins = false;
     EXPECT_EQ(waysOf(plan).size(), 1U + 3U + 3U + 2U);
 }
 

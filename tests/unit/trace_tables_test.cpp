@@ -27,7 +27,7 @@ double number(const Table& table, std::size_t row, const std::string& key) {
 ViewCosts view(double chosen) {
     ViewCosts costs{"a view",
                     {cost(kSource, {2, 4, 8}, "s"), cost(kNone, {1, 2, 4}, "loop"),
-                     cost(kHierarchy, {0.5, 1, 2}, "boxes"), cost(kAuto, {chosen, 2 * chosen, 4 * chosen}, "sieve")}};
+                     cost(kHierarchy, {0.5, 1, 2}, "boxes"), cost(kAuto, {chosen, 2 * chosen, 4 * chosen}, "mask")}};
     costs.ways[0].work.reset();
     return costs;
 }
@@ -64,7 +64,7 @@ TEST(TraceTables, CallAChoiceRightWithinFifteenPerCentOfTheBest) {
 TEST(TraceTables, HoldAChoiceOnlyAgainstOtherSearchesOfOurs) {
     ViewCosts costs = view(0.9);
     costs.ways[0].seconds = {0.1, 0.1, 0.1};
-    costs.ways[2].search = "sieve";
+    costs.ways[2].search = "mask";
     EXPECT_EQ(cell(choiceTable({costs}, {}), 0, "best"), Cell("auto"))
         << "the source cannot be chosen, and the hierarchy came to the same program";
 }

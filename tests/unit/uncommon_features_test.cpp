@@ -56,8 +56,8 @@ TEST(Variants, HaveTheirValuesInOnePosition) {
 TEST(Variants, AreForSoftwareRasterisersUnlessAskedFor) {
     const Scene scene = sceneNamed("pro");
     Settings on, off, silhouette, work;
-    on.parts = Parts::On;
-    off.parts = Parts::Off;
+    on.variants = Variants::On;
+    off.variants = Variants::Off;
     silhouette.shadows = ShadowModel::Silhouette;
     work.aov = Aov::Work;
     EXPECT_FALSE(splitOf(scene, {}, {}).split.on);

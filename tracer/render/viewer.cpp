@@ -75,7 +75,7 @@ bool Viewer::set(std::string_view key, std::string_view text, std::string_view p
     if (isCameraKey(key))
         placeCamera();
     else if (!(settings_ == before)) {
-        if (key != "time") report_(std::string(key) + " " + textOf(row, settings_));
+        if (key != "time") report_(std::string(row.key) + " " + textOf(row, settings_));
         changed(row);
     }
     return true;

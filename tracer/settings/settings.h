@@ -1,5 +1,5 @@
 /// The one table of settings. Keys, command line, URL, panels, `--help`, `gnomon settings` and the README's table are
-/// all made from it. Adding a setting is a member of Settings and one row in settings.cpp.
+/// all made from it. Adding a setting is a member of Settings and one row in settings_table.cpp.
 #pragma once
 
 #include "tracer/problem.h"
@@ -27,14 +27,15 @@ enum class Aov { Color, Distance, Position, Normal, Object, Visibility, Work, St
 /// Floats a pixel of an output: 3 for vectors and colours, 1 otherwise.
 int channelsOf(Aov);
 
-/// Where the shader finds the scene's numbers.
+/// Where the shader reads the scene from.
 enum class DataPath { Auto, Block, Texture };
 
-/// How rays find the objects that they meet: one after the other, by a hierarchy of boxes, or what costs less.
+/// Acceleration structure: none, a hierarchy of boxes, or what costs less.
 enum class Accel { Auto, None, Hierarchy };
 
-/// Whether programs that lack what few pixels need draw where they can: as the GL has it, always, never.
-enum class Parts { Auto, On, Off };
+/// Whether base variants of the shader draw the pixels that need no uncommon feature: on a software rasteriser only,
+/// always, never.
+enum class Variants { Auto, On, Off };
 
 /// All settings with their defaults. What is optional and unset comes from the scene.
 struct Settings {
@@ -64,7 +65,7 @@ struct Settings {
     bool vsync = true;
     Accel accel = Accel::Auto;
     DataPath data = DataPath::Auto;
-    Parts parts = Parts::Auto;
+    Variants variants = Variants::Auto;
 
     bool operator==(const Settings&) const = default;
 };
@@ -96,10 +97,18 @@ struct SizeType {
     int min, max;   ///< of each side
     int megapixels; ///< at most, so many times 1024 x 1024
 };
+/// An earlier name and the present one: read as this, never written.
+struct Renamed {
+    std::string_view was, is;
+};
+/// `name` as it is called at present.
+std::string_view renamed(std::string_view name, std::span<const Renamed>);
+
 struct ChoiceType {
     std::vector<std::string_view> names;
     int (*get)(const Settings&);
     void (*set)(Settings&, int);
+    std::vector<Renamed> renamed{};
     bool switches = false; ///< a hotkey goes to the first choice, and from there to the second: off and on
 };
 using SettingType =
@@ -110,13 +119,15 @@ struct SettingRow {
     SettingType type;
     std::string_view group;
     std::string_view help;
+    Effect effect = Effect::Uniform;
     double step = 0;            ///< for sliders; 0: none
     std::string_view next = {}; ///< hotkey: switches, or goes one on; names as keyName() gives them
     std::string_view previous = {};
-    Effect effect = Effect::Uniform;
+    std::vector<std::string_view> aliases = {}; ///< earlier keys: understood wherever a key is read, never written
 };
 
 std::span<const SettingRow> settingsTable();
+/// By its key or an alias; null where there is none.
 const SettingRow* findSetting(std::string_view key);
 
 /// The 27 channel triples rrr … bbb.
@@ -138,9 +149,9 @@ std::string pressHotkey(Settings&, std::string_view key);
 
 /// `key=value` pairs joined by `&`, only what differs from the defaults.
 std::string toUrlQuery(const Settings&);
-/// The table itself as JSON, a list of rows: key, type (bool, int, real, point, size, choice), default (null: the
-/// scene's), min and max or names, range (for people), step (where it has one), group, help, hotkeys [next, previous],
-/// effect.
+/// The table itself as JSON, a list of rows: key, aliases (where it has some), type (bool, int, real, point, size,
+/// choice), default (null: the scene's), min and max or names and renamed (earlier names, where there are some), range
+/// (for people), step (where it has one), group, help, hotkeys [next, previous], effect.
 std::string settingsJson();
 /// The table itself as the README shows it.
 std::string settingsMarkdown();

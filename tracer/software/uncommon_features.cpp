@@ -77,7 +77,7 @@ void markUncommon(const PreparedScene& prepared, Plan& plan) {
 } // namespace
 
 Plan splitScreen(Plan plan, const PreparedScene& prepared, const Settings& settings) {
-    const bool wanted = settings.parts == Parts::On || (settings.parts == Parts::Auto && plan.target.split);
+    const bool wanted = settings.variants == Variants::On || (settings.variants == Variants::Auto && plan.target.split);
     plan.split.on = wanted && plan.scene.output == Aov::Color && plan.scene.objects() <= kMostPartitioned;
     // Other shadows ask all casters at once.
     const bool rays = plan.scene.shadows == ShadowModel::Off || plan.scene.shadows == ShadowModel::Hard;

@@ -9,6 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <string_view>
 #include <type_traits>
 
 namespace gnomon::oracle {
@@ -74,22 +77,28 @@ class Body {
         case ShapeKind::Box: return boxDistance(abs(p.x) - half_.x, abs(p.y) - half_.y, abs(p.z) - half_.z);
         case ShapeKind::Cylinder: {
             const Profile q = profile(p);
-            return boxDistance(q.away - radius_, abs(q.along) - halfLength_, R(-1e30));
+            return boxDistance(q.radial - radius_, abs(q.along) - halfLength_, R(-1e30));
         }
         case ShapeKind::Capsule: {
             const Profile q = profile(p);
-            return hypotenuse(q.away, std::max<R>(abs(q.along) - halfLength_, 0)) - radius_;
+            return hypotenuse(q.radial, std::max<R>(abs(q.along) - halfLength_, 0)) - radius_;
         }
         case ShapeKind::Cone: return coneDistance(profile(p));
-        default: return dot(p, axis_);
+        case ShapeKind::Plane:
+        case ShapeKind::Disc:
+        case ShapeKind::Triangle: return dot(p, axis_);
+        case ShapeKind::LargeSphere: // to its scene it is a sphere
+        case ShapeKind::Mandelbulb:  // told by their distance fields only (solid.h)
+        case ShapeKind::Solid: break;
         }
+        return noAnswer();
     }
 
     /// The same, but of a disc or triangle as far as its rim, which has no inside: never negative.
     R boundedDistance(const Vec3<R>& p) const {
         if (kind_ == ShapeKind::Disc) {
             const Profile q = profile(p);
-            return hypotenuse(q.along, std::max<R>(q.away - radius_, 0));
+            return hypotenuse(q.along, std::max<R>(q.radial - radius_, 0));
         }
         if (kind_ != ShapeKind::Triangle) return distance(p);
         if (withinRim(p) >= 0) return abs(distance(p));
@@ -136,10 +145,10 @@ class Body {
             return away[1];
         }
         const Profile q = profile(p);
-        if (kind_ == ShapeKind::Cylinder) return hypotenuse(q.away - radius_, halfLength_ - abs(q.along));
+        if (kind_ == ShapeKind::Cylinder) return hypotenuse(q.radial - radius_, halfLength_ - abs(q.along));
         if (kind_ != ShapeKind::Cone) return R(1e30);
-        return std::min<R>(hypotenuse(q.away - radius_, q.along + halfLength_),
-                           hypotenuse(q.away, q.along - halfLength_));
+        return std::min<R>(hypotenuse(q.radial - radius_, q.along + halfLength_),
+                           hypotenuse(q.radial, q.along - halfLength_));
     }
 
     /// The smallest radius of curvature about a point of the surface; of a flat body its smallest height.
@@ -151,21 +160,36 @@ class Body {
         case ShapeKind::Cone: {
             const Profile q = profile(p);
             const bool base = toBase(q) <= toSide(q);
-            return base ? radius_ : std::min<R>(radius_, q.away);
+            return base ? radius_ : std::min<R>(radius_, q.radial);
         }
         case ShapeKind::Triangle: {
             const Vec3<R> a = vertices_[1] - vertices_[0], b = vertices_[2] - vertices_[1],
                           c = vertices_[0] - vertices_[2];
             return length(cross(a, b)) / std::max<R>(length(a), std::max<R>(length(b), length(c)));
         }
-        default: return size_;
+        case ShapeKind::Sphere:
+        case ShapeKind::Plane:
+        case ShapeKind::Disc:
+        case ShapeKind::Box: return size_;
+        case ShapeKind::LargeSphere:
+        case ShapeKind::Mandelbulb:
+        case ShapeKind::Solid: break;
         }
+        return noAnswer();
     }
 
   private:
-    /// In the half plane of the axis: away from it, and along it from the middle.
+    /// Ends the program: a wrong reference would make every comparison with it worthless.
+    R noAnswer() const {
+        const std::string_view key = shapeRow(kind_).key;
+        std::fprintf(stderr, "gnomon: internal error: the exact reference has no formula for a %.*s\n", int(key.size()),
+                     key.data());
+        std::abort();
+    }
+
+    /// In the half plane of the axis: radial distance, and along the axis from the middle.
     struct Profile {
-        R away, along;
+        R radial, along;
     };
 
     static R abs(const R& x) { return x < 0 ? -x : x; }
@@ -182,20 +206,22 @@ class Body {
         const R ox = std::max<R>(x, 0), oy = std::max<R>(y, 0), oz = std::max<R>(z, 0);
         return sqrt(ox * ox + oy * oy + oz * oz) + std::min<R>(std::max<R>(x, std::max<R>(y, z)), 0);
     }
-    static R toStretch(const R& x, const R& y, const R& ax, const R& ay, const R& bx, const R& by) {
+    static R toSegment(const R& x, const R& y, const R& ax, const R& ay, const R& bx, const R& by) {
         const R dx = bx - ax, dy = by - ay;
         const R part = std::clamp<R>(((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy), 0, 1);
         return hypotenuse(x - ax - part * dx, y - ay - part * dy);
     }
     R coneDistance(const Profile& q) const {
         const R y = q.along + halfLength_, whole = 2 * halfLength_; // from the base up
-        const bool inside = y > 0 && y < whole && q.away * whole < radius_ * (whole - y);
+        const bool inside = y > 0 && y < whole && q.radial * whole < radius_ * (whole - y);
         const R away = std::min<R>(toBase(q), toSide(q));
         return inside ? R(-away) : away;
     }
-    R toBase(const Profile& q) const { return toStretch(q.away, R(q.along + halfLength_), R(0), R(0), radius_, R(0)); }
+    R toBase(const Profile& q) const {
+        return toSegment(q.radial, R(q.along + halfLength_), R(0), R(0), radius_, R(0));
+    }
     R toSide(const Profile& q) const {
-        return toStretch(q.away, R(q.along + halfLength_), radius_, R(0), R(0), R(2 * halfLength_));
+        return toSegment(q.radial, R(q.along + halfLength_), radius_, R(0), R(0), R(2 * halfLength_));
     }
     R sizeOf() const {
         switch (kind_) {
@@ -208,12 +234,12 @@ class Body {
         case ShapeKind::Cone: return hypotenuse(halfLength_, radius_);
         case ShapeKind::Triangle:
             return std::max<R>(length(vertices_[0]), std::max<R>(length(vertices_[1]), length(vertices_[2])));
-        case ShapeKind::Plane:
-        case ShapeKind::LargeSphere:      // a sphere to its scene
-        case ShapeKind::Mandelbulb: // told by their distances only
+        case ShapeKind::Plane: return R(1);
+        case ShapeKind::LargeSphere:
+        case ShapeKind::Mandelbulb:
         case ShapeKind::Solid: break;
         }
-        return R(1);
+        return noAnswer();
     }
 
     ShapeKind kind_;

@@ -1,4 +1,4 @@
-/// What a ray meets first of several bodies, in long double: a ray may start 1e-12 of its coordinates off a surface.
+/// What a ray meets first of several solids, in long double: a ray may start 1e-12 of its coordinates off a surface.
 #pragma once
 
 #include "lab/reference/exact/body.h"
@@ -12,8 +12,8 @@ namespace gnomon::oracle {
 using Vec = glm::tvec3<long double>;
 using SceneBody = Body<long double>;
 
-/// The scene's objects, in their order: in the float32 numbers that the shader gets, and a sphere that is drawn as a
-/// globe, which is the one of the scene's own numbers, in those.
+/// The scene's objects, in their order: in the float32 values that the shader gets, and a large sphere, which the
+/// shader has in double-float anchored form, in the scene's own.
 std::vector<SceneBody> bodiesOf(const Scene&, double time);
 
 struct SceneHit {

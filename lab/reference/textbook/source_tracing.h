@@ -1,4 +1,4 @@
-/// The files of tests/textbook/source, without the intersectors.
+/// The files of lab/reference/textbook/source, without the intersectors.
 #pragma once
 
 #include "tracer/shader/library.h"

@@ -1,13 +1,12 @@
-/// A scene as it is drawn in one way: what a frame costs, what work it is, what the program took; and cases that
-/// take turns, so that what disturbs the machine disturbs all alike.
+/// A scene drawn in one way: what a frame costs, what work it is, what the program took; and a race of several cases,
+/// interleaved, so that what disturbs the machine disturbs all alike.
 #pragma once
 
-#include "native/file/asset_folder.h"
 #include "lab/progress.h"
 #include "lab/results/quartiles.h"
+#include "native/file/asset_folder.h"
 #include "tracer/render/renderer.h"
 
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -41,18 +40,16 @@ class BenchmarkCase {
     ProgramStats program_;
 };
 
-/// One turn of every entrant, forth in even rounds and back in odd ones, so that what grows during a round favours
-/// nobody. False once the user wants no more: the entrants left have had no turn.
-bool takeRound(std::size_t entrants, int round, const std::function<void(std::size_t entrant)>& turn, LabProgress&);
-
-struct Entrant {
+/// A case with what it draws in a race.
+struct TimedCase {
     BenchmarkCase* benchmarkCase;
     View view;
-    const Settings* settings = nullptr; ///< to be used for this turn; null: what it was made with
+    const Settings* settings = nullptr; ///< that it draws with; null: those it was made with
 };
 
-/// Seconds of each entrant in each round, once an unmeasured frame has been drawn. Only whole rounds: fewer, or none,
-/// where the user wants no more.
-std::vector<std::vector<double>> race(std::span<const Entrant>, int rounds, double (*clock)(), LabProgress&);
+/// Seconds of each case in each round, once an unmeasured frame has been drawn. The order alternates from round to
+/// round, so that what grows during a round favours no case. Only whole rounds: fewer, or none, where the user wants no
+/// more.
+std::vector<std::vector<double>> race(std::span<const TimedCase>, int rounds, double (*clock)(), LabProgress&);
 
 } // namespace gnomon

@@ -1,4 +1,4 @@
-#include "lab/trace/benchmark_case.h"
+#include "lab/bench/benchmark_case.h"
 
 #include "tracer/gl/gl.h"
 
@@ -15,7 +15,7 @@ Work workOf(const FloatImage& counts) {
 } // namespace
 
 BenchmarkCase::BenchmarkCase(const Scene& scene, const NamedImages& images, const Settings& settings,
-                     std::span<const ShaderFile> overrides, Problems& problems)
+                             std::span<const ShaderFile> overrides, Problems& problems)
     : renderer_(overrides), settings_(settings) {
     for (const auto& [name, image] : images) renderer_.setImage(name, image);
     renderer_.configure(settings); // before there is a scene, so that no other program is compiled
@@ -56,29 +56,20 @@ Image BenchmarkCase::picture(const Settings& settings, const View& view, Problem
     return image;
 }
 
-bool takeRound(std::size_t entrants, int round, const std::function<void(std::size_t entrant)>& turn,
-               LabProgress& progress) {
-    for (std::size_t i = 0; i < entrants; ++i) {
-        if (LabProgress::interrupted()) return false;
-        turn(round % 2 == 0 ? i : entrants - 1 - i);
-        progress.step();
-    }
-    return true;
-}
-
-std::vector<std::vector<double>> race(std::span<const Entrant> entrants, int rounds, double (*clock)(),
+std::vector<std::vector<double>> race(std::span<const TimedCase> cases, int rounds, double (*clock)(),
                                       LabProgress& progress) {
-    std::vector<std::vector<double>> times(entrants.size());
-    for (int round = -1; round < rounds; ++round) {
-        std::vector<double> seconds(entrants.size());
-        const auto turn = [&](std::size_t i) {
-            const Entrant& entrant = entrants[i];
-            if (entrant.settings) entrant.benchmarkCase->use(*entrant.settings);
-            seconds[i] = entrant.benchmarkCase->draw(entrant.view, clock);
-        };
-        if (!takeRound(entrants.size(), round, turn, progress)) break;
-        if (round < 0) continue;
-        for (std::size_t i = 0; i < entrants.size(); ++i) times[i].push_back(seconds[i]);
+    std::vector<std::vector<double>> times(cases.size());
+    for (int round = -1; round < rounds; ++round) { // the first one is not measured
+        std::vector<double> seconds(cases.size());
+        for (std::size_t i = 0; i < cases.size(); ++i) {
+            if (LabProgress::interrupted()) return times;
+            const std::size_t next = round % 2 == 0 ? i : cases.size() - 1 - i;
+            const TimedCase& timed = cases[next];
+            if (timed.settings) timed.benchmarkCase->use(*timed.settings);
+            seconds[next] = timed.benchmarkCase->draw(timed.view, clock);
+            progress.step();
+        }
+        for (std::size_t i = 0; i < cases.size() && round >= 0; ++i) times[i].push_back(seconds[i]);
     }
     return times;
 }
