@@ -28,7 +28,7 @@ Grid lattice$Shape() { return loadGrid(k$ShapeLattice); }
 vec4 cached$ShapeBall$Bit;
 vec4 ball$Shape$Bit() { return cached$ShapeBall$Bit; }
 #else
-vec4 ball$Shape$Bit() { return ball$Shape(object$Shape(k$ShapeLoose + $Bit)); }
+vec4 ball$Shape$Bit() { return ball$Shape(load$Shape(k$ShapeBase + (k$ShapeLoose + $Bit) * k$ShapeTexels)); }
 #endif
 #endfor
 #endfor
