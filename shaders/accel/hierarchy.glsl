@@ -1,4 +1,4 @@
-// Hierarchy of boxes, one a kind of objects, walked without a stack: a ray that misses a box goes on at the node after all
+// Hierarchy of boxes, one a kind of objects, walked without a stack: a ray that misses a box continues at the node after all
 // below it. Written by tracer/accel/node_texels.h, which says what a node holds; a leaf holds one object.
 //
 // quantisedRay   the ray in the cells that the boxes of a hierarchy are told in

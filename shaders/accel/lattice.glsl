@@ -1,4 +1,4 @@
-// Objects in a regular block: equal ones, each alone in its cell of a grid, which the ray walks cell by cell. Nothing is
+// Objects in a lattice: equal ones, each alone in its cell of a grid, which the ray walks cell by cell. Nothing is
 // read on the way: a cell's place tells its object's ball and number. Found by tracer/accel/lattice.h.
 //
 // nextInLattice  the next cell, nearer than `t`, whose ball the ray does not pass by, as the number of its object; -1 at the end.

@@ -1,4 +1,4 @@
-// Cells: a grid over resting objects, each cell with a list of those that reach into it. Written by tracer/accel/uniform_grid.h.
+// Uniform grid over resting objects, each cell with a list of those that reach into it. Written by tracer/accel/uniform_grid.h.
 //
 // enterUniformGrid  begins a ray's walk through the grid at `at`: two texels, then one a cell
 // goOn        reads on in the list in hand where all that is read of it has been taken, or the next cell's; false past the grid,

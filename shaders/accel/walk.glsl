@@ -3,7 +3,7 @@
 // loadGrid   of two texels, {corner, …} and {size of a cell, …}
 // enterGrid  begins a ray's walk through a grid of `cells` cells
 // leftGrid   the next cell lies outside
-// lastStep   s up to which the walk goes on: nearer than t
+// lastStep   s up to which the walk continues: nearer than t
 // stepOn     to the next cell; answers the number of the one before, x fastest
 // Error      the ray, re-centred on the grid, knows its walls to 2^-20 of a cell
 // Source     J. Amanatides, A. Woo, A Fast Voxel Traversal Algorithm for Ray Tracing, 1987

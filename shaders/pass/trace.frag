@@ -22,21 +22,17 @@
 
 #if OUTPUT == COLOR
 vec4 pixel(Ray ray) { return vec4(radiance(ray), 1.0); }
-#elif OUTPUT == WORK
-// Boxes, objects and shadow rays that the colour of this pixel takes.
+#elif OUTPUT == WORK || OUTPUT == STEPS
+// Boxes, objects and shadow rays that the colour of this pixel takes, or evaluations of distances.
 vec4 pixel(Ray ray) {
     vec3 color = radiance(ray);
+#if OUTPUT == WORK
     vec3 counts = vec3(work);
+#else
+    vec3 counts = vec3(float(evaluations));
+#endif
     if (color.r < -1.0) counts.r = 0.0; // the colour is asked for, too: nothing of the work may be left out
     return vec4(counts, 1.0);
-}
-#elif OUTPUT == STEPS
-// Evaluations of distances that the colour of this pixel takes.
-vec4 pixel(Ray ray) {
-    vec3 color = radiance(ray);
-    vec3 count = vec3(float(evaluations));
-    if (color.r < -1.0) count.r = 0.0; // the colour is asked for, too: nothing of the work may be left out
-    return vec4(count, 1.0);
 }
 #else
 // What the primary ray meets; alpha 0 where that is nothing.

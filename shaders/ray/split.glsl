@@ -5,11 +5,11 @@
 //           place; what the difference of origin and center loses is added at the end, where nothing cancels any more.
 //           |error of the new origin| <= 1 ulp of the closest distance, from any distance (4.9e-4 naively at 1e4 units)
 // passesBy  whether the ray's line passes a ball by, {centre, radius}, with the room that rounding from far away needs: searches
-//           and shapes that are dear to meet dismiss most objects by this alone. `stretch`, of the ray, is the same for all
+//           and shapes that are expensive to meet dismiss most objects by this alone. `stretch`, of the ray, is the same for all
 //           balls: not every compiler sees that
 // Source    Dekker's splitting and Knuth's exact difference; figures in docs/numerics.md
 // Limits    any direction but 0. Some compilers fold d - dh back into d, or (a - b) - a into -b: the zero of the frame
-//           block, opaque to them, keeps them apart
+//           block, an optimisation barrier, keeps them apart
 struct NearRay {
     vec3 origin;    // closest approach, relative to the centre
     float tHigh;    // t of the new origin is tHigh + tLow; tHigh has 12 bits

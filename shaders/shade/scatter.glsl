@@ -27,14 +27,13 @@ Scatter scatterAt(ShadingPoint at, vec3 incoming) {
     scatter.eta = at.side > 0.0 ? 1.0 / at.material.ior : at.material.ior;
     float squared = 1.0 - scatter.eta * scatter.eta * (1.0 - cosine * cosine);
     scatter.beyond = dielectric ? squared : -1.0;
-    if (scatter.beyond >= 0.0 && at.side < 0.0) { // Schlick's formula wants the angle on the thinner side
-        cosine = sqrt(scatter.beyond);
-        coat = 1.0;
-    }
+    bool leaving = scatter.beyond >= 0.0 && at.side < 0.0; // Schlick's formula wants the angle on the thinner side
+    cosine = leaving ? sqrt(scatter.beyond) : cosine;
+    coat = leaving ? 1.0 : coat;
 #endif
     scatter.reflected = fresnel(at.material.f0, cosine) * coat;
 #if REFRACTION
-    if (dielectric && scatter.beyond < 0.0) scatter.reflected = vec3(1.0);
+    scatter.reflected = dielectric && scatter.beyond < 0.0 ? vec3(1.0) : scatter.reflected;
 #endif
     return scatter;
 }

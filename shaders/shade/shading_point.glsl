@@ -20,8 +20,9 @@ ShadingPoint shadingPointAt(int object, Ray ray, float t, float width) {
     ShadingPoint at;
     at.surface = surfaceAt(object, ray, t);
     at.material = loadMaterial(materialOf(object));
-    at.side = dot(ray.direction, at.surface.normal) <= 0.0 ? 1.0 : -1.0;
-    at.facing = at.side * at.surface.normal;
+    bool outside = dot(ray.direction, at.surface.normal) <= 0.0;
+    at.side = outside ? 1.0 : -1.0;
+    at.facing = outside ? at.surface.normal : -at.surface.normal;
     at.normal = at.facing;
     at.paint = vec4(1.0);
     at.cosine = max(-dot(ray.direction, at.facing), 1e-3);

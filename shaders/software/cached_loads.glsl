@@ -9,21 +9,32 @@
 #include "accel/walk.glsl"
 #endif
 
-#if CACHED_LOADS
 #for Shape in SHAPES
-#if $SHAPE_ALONE
+#if CACHED_LOADS && $SHAPE_ALONE
 $Shape cached$Shape;
+$Shape object$Shape(int index) { return cached$Shape; }
+#else
+$Shape object$Shape(int index) { return load$Shape(k$ShapeBase + index * k$ShapeTexels); }
 #endif
-#if $SHAPE_LATTICE
+#if CACHED_LOADS && $SHAPE_LATTICE
 Grid cached$ShapeLattice;
+Grid lattice$Shape() { return cached$ShapeLattice; }
+#elif $SHAPE_LATTICE
+Grid lattice$Shape() { return loadGrid(k$ShapeLattice); }
 #endif
 #for Part in $SHAPE_SPHERE_MASK
 #for Bit in $SHAPE_SPHERE_MASK_$PART
+#if CACHED_LOADS
 vec4 cached$ShapeBall$Bit;
+vec4 ball$Shape$Bit() { return cached$ShapeBall$Bit; }
+#else
+vec4 ball$Shape$Bit() { return ball$Shape(load$Shape(k$ShapeBase + (k$ShapeLoose + $Bit) * k$ShapeTexels)); }
+#endif
 #endfor
 #endfor
 #endfor
 
+#if CACHED_LOADS
 void cacheLoads() {
 #if TRIANGLES
     cachedMiddleOfTriangles = loadMiddleOfTriangles();
@@ -43,27 +54,3 @@ void cacheLoads() {
 #endfor
 }
 #endif
-
-#for Shape in SHAPES
-#if CACHED_LOADS && $SHAPE_ALONE
-$Shape object$Shape(int index) { return cached$Shape; }
-#else
-$Shape object$Shape(int index) { return load$Shape(k$ShapeBase + index * k$ShapeTexels); }
-#endif
-#if $SHAPE_LATTICE
-#if CACHED_LOADS
-Grid lattice$Shape() { return cached$ShapeLattice; }
-#else
-Grid lattice$Shape() { return loadGrid(k$ShapeLattice); }
-#endif
-#endif
-#for Part in $SHAPE_SPHERE_MASK
-#for Bit in $SHAPE_SPHERE_MASK_$PART
-#if CACHED_LOADS
-vec4 ball$Shape$Bit() { return cached$ShapeBall$Bit; }
-#else
-vec4 ball$Shape$Bit() { return ball$Shape(object$Shape(k$ShapeLoose + $Bit)); }
-#endif
-#endfor
-#endfor
-#endfor
