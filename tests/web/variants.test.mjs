@@ -1,5 +1,5 @@
-// A picture of base and full shader variants, with cached loads where Chromium's GL gains by them, is the picture of the
-// full variant alone that loads each value where it needs it, in every byte: what the base variant discards is drawn
+// A picture of base and full shader variants, with cached loads where Chromium's GL gains by them, is in every byte the
+// picture of the full variant alone, which loads each value where it needs it: what the base variant discards is drawn
 // behind it (shaders/pass/canvas.vert). Sizes that no tile divides, times at which uncommon features lie elsewhere; and
 // on the page itself, where a slow picture is refined band by band.
 import { after, before, describe, test } from 'node:test';
