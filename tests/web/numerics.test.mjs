@@ -5,16 +5,16 @@
 //        4 · 2^-23 of the size, o + t d within 1.5 ulp of t
 import { after, before, describe, test } from 'node:test';
 import { strict as assert } from 'node:assert';
-import { body, grazingRay, judge, packed, randomNumbers, solve, traceRays, uniformRay } from './rays.mjs';
+import { compareHits, grazingRay, packed, randomNumbers, solid, solve, traceRays, uniformRay } from './rays.mjs';
 import { browserNames, differences, openPage, picture, until } from './browsers.mjs';
 import { serve } from './server.mjs';
 import { sharedBrowser } from './shared_browser.mjs';
 
 const far = 10_000;
 const still = 'size=160x120&pause=on&time=1';
-const bodies = {
-  sphere: body({ center: [0.2718281, -0.5772156, 0.6931471], radius: 1 }),
-  torus: body({ center: [-0.3141592, 0.1618033, 0.4142135], axis: [0.6, 0.3, -0.74], major: 1, radius: 0.25 }),
+const solids = {
+  sphere: solid({ center: [0.2718281, -0.5772156, 0.6931471], radius: 1 }),
+  torus: solid({ center: [-0.3141592, 0.1618033, 0.4142135], axis: [0.6, 0.3, -0.74], major: 1, radius: 0.25 }),
 };
 
 const raysAt = (shape, count) => {
@@ -23,8 +23,8 @@ const raysAt = (shape, count) => {
 };
 
 // What takes the rays for others by half an ulp of their far origin, as textbook arithmetic does, must not pass.
-test('the judge sees a textbook re-centring', () => {
-  for (const shape of Object.values(bodies)) {
+test('the comparison sees a textbook re-centring', () => {
+  for (const shape of Object.values(solids)) {
     const rays = raysAt(shape, 1000);
     const answers = rays.flatMap(({ origin, direction }) => {
       const moved = origin.map((value, axis) => value + 4.9e-4 * (axis - 1));
@@ -32,7 +32,7 @@ test('the judge sees a textbook re-centring', () => {
       const point = origin.map((value, axis) => value + t * direction[axis]);
       return hit ? [0, t, ...point, 0, 0, 0] : [-1, 0, 0, 0, 0, 0, 0, 0];
     });
-    const found = judge(shape, rays, Float64Array.from(answers));
+    const found = compareHits(shape, rays, Float64Array.from(answers));
     assert.ok(found.wrong > 100 && found.worstPoint > 1000, JSON.stringify(found));
   }
 });
@@ -93,25 +93,25 @@ for (const name of browserNames)
       assert.ok(first.worstPoint > 0 && first.worstPoint <= 4 && first.worstAlong > 0 && first.worstAlong <= 1.5);
     });
 
-    for (const [kind, shape] of Object.entries(bodies))
+    for (const [kind, shape] of Object.entries(solids))
       test(`rays at a ${kind} ${far} units away decide like doubles`, async () => {
         const rays = raysAt(shape, 4000);
-        const found = judge(shape, rays, await traceRays(page, shape.scene, packed(rays)));
+        const found = compareHits(shape, rays, await traceRays(page, shape.scene, packed(rays)));
         console.log(`# ${name} ${kind}:`, JSON.stringify(found));
-        assert.ok(found.judged > 0.99 * rays.length, 'rays that are not too near to tangency');
+        assert.ok(found.compared > 0.99 * rays.length, 'rays that are not too near to tangency');
         assert.equal(found.wrong, 0);
         assert.ok(found.worstPoint <= 4 && found.worstAlong <= 1.5);
         page.verify();
       });
 
-    test('a large batch comes back whole and in order', async () => {
+    test('a large batch comes back complete and in order', async () => {
       const shown = await picture(page);
-      const rays = packed(raysAt(bodies.sphere, 20_000));
+      const rays = packed(raysAt(solids.sphere, 20_000));
       const start = performance.now();
-      const answers = await traceRays(page, bodies.sphere.scene, rays);
+      const answers = await traceRays(page, solids.sphere.scene, rays);
       console.log(`# ${name}: 20 000 rays there and back in ${Math.round(performance.now() - start)} ms`);
       assert.equal(answers.length, rays.length);
-      const last = await traceRays(page, bodies.sphere.scene, rays.slice(-8 * 100));
+      const last = await traceRays(page, solids.sphere.scene, rays.slice(-8 * 100));
       assert.deepEqual(answers.slice(-8 * 100), last);
       assert.equal(differences(shown, await picture(page)), 0, 'the picture stays as it is');
     });
@@ -174,7 +174,7 @@ for (const name of browserNames)
             numerics: await window.gnomon.numerics(),
             refused: await window.gnomon.traceRays(scene, []).catch((error) => error.message),
           }),
-          bodies.sphere.scene,
+          solids.sphere.scene,
         );
         assert.deepEqual([numerics.measured, numerics.holds], [false, false]);
         for (const text of [numerics.summary, refused]) assert.match(text, /cannot draw float32 pictures/);

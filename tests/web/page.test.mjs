@@ -39,7 +39,7 @@ for (const name of browserNames)
 
     /** Opens a page of its own, and closes it. */
     const withPage = async (query, options, use) => {
-      const own = await openPage(browser, `${options.server?.url ?? server.url}?${query}`, options);
+      const own = await openPage(browser, `${server.url}?${query}`, options);
       try {
         await use(own);
         own.verify();
@@ -390,32 +390,6 @@ for (const name of browserNames)
         });
         assert.ok(Math.abs(first - sharp) < 500, `first ${first}, sharp ${sharp}`);
       });
-    });
-
-    test('a browser without WebGL 2 is told so', async () => {
-      const before = (own) =>
-        own.evaluateOnNewDocument(() => {
-          HTMLCanvasElement.prototype.getContext = () => null;
-        });
-      await withPage(small, { before, ready: false }, async (own) => {
-        await until('the message', async () => (await textOf(own, '#splash')).includes('WebGL 2'));
-      });
-    });
-
-    test('a missing program is told, not a white page', async () => {
-      const broken = await serve({ missing: /gnomon\.wasm$/ });
-      await withPage(small, { server: broken, ready: false, expectErrors: [/404/, /wasm/] }, async (own) => {
-        await until('the message', async () => /gnomon\.wasm/.test(await textOf(own, '#splash')));
-      });
-      await broken.close();
-    });
-
-    test('lies under any path of a server that knows few types', async () => {
-      const elsewhere = await serve({ path: '/some/where/', plainTypes: true });
-      await withPage(still, { server: elsewhere }, async (own) => {
-        assert.ok(new Set((await picture(own)).data).size > 50);
-      });
-      await elsewhere.close();
     });
 
     test('complained of nothing all along', () => page.verify());

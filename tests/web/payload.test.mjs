@@ -14,7 +14,7 @@ const later = [
   'report',
   'report.html',
   join('vendor', 'chart.js'),
-  ...['.js', '.css', '_dialog.js'].map((end) => join('page', `compare${end}`)),
+  ...['.js', '.css', '_dialog.js', '_calls.js'].map((end) => join('page', `compare${end}`)),
 ];
 
 test(`program, shaders and page are at most ${mostKilobytes} KB when compressed`, async () => {

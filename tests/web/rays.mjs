@@ -1,6 +1,6 @@
 // Batches of rays through the page's traceRays, and what they do in truth, in doubles: for measuring a browser's GL.
 //
-// A ray is { origin, direction } in numbers that float32 holds. solve() knows of a body only its signed distance.
+// A ray is { origin, direction } in numbers that float32 holds. solve() knows of a solid only its signed distance.
 
 const add = (a, b, s = 1) => a.map((value, i) => value + s * b[i]);
 const dot = (a, b) => a.reduce((sum, value, i) => sum + value * b[i], 0);
@@ -10,7 +10,7 @@ const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b
 const float = (a) => a.map(Math.fround);
 
 /** A sphere, or with `major` a torus about `axis`, as the shader has it: its numbers in float32. */
-export function body({ center, radius, major = 0, axis = [0, 0, 1] }) {
+export function solid({ center, radius, major = 0, axis = [0, 0, 1] }) {
   const middle = float(center),
     up = unit(float(unit(axis))),
     minor = Math.fround(radius),
@@ -51,7 +51,7 @@ export function uniformRay(shape, far, number) {
   return ray(origin, add(aim, origin, -1));
 }
 
-/** From `far` away, tangent to the body but for the rounding of its origin. */
+/** From `far` away, tangent to the solid but for the rounding of its origin. */
 export function grazingRay(shape, far, number) {
   const out = unit(cross(shape.axis, directionFrom(number))),
     around = number(0, 2 * Math.PI);
@@ -61,7 +61,7 @@ export function grazingRay(shape, far, number) {
   return ray(add(point, way, -far), way);
 }
 
-/** Where the ray first enters the body: { hit, t, tangency }; `tangency` is how far it is from doing another thing. */
+/** Where the ray first enters the solid: { hit, t, tangency }; `tangency` is how far it is from doing another thing. */
 export function solve({ distance, center, size }, { origin, direction }) {
   const along = (t) => distance(add(origin, direction, t));
   const middle = dot(add(center, origin, -1), direction) / dot(direction, direction);
@@ -115,12 +115,12 @@ const ulp = (x) => 2 ** (Math.floor(Math.log2(x)) - 23);
  * @returns { compared, wrong, worstPoint, worstAlong }: rays beyond 2^-22 of the size from tangency, those of them that
  *   missed, hit or stopped wrongly, worst distance of the surface point in 2^-23 of the size, of o + t d in ulp of t
  */
-export function judge(shape, rays, answers) {
-  const found = { judged: 0, wrong: 0, worstPoint: 0, worstAlong: 0 };
+export function compareHits(shape, rays, answers) {
+  const found = { compared: 0, wrong: 0, worstPoint: 0, worstAlong: 0 };
   rays.forEach((one, i) => {
     const truth = solve(shape, one);
     if (truth.tangency < 2 ** -22 * shape.size) return;
-    found.judged += 1;
+    found.compared += 1;
     const [object, t, ...rest] = answers.subarray(8 * i, 8 * i + 8);
     if (!truth.hit && object < 0) return;
     const at = (s) => Math.abs(shape.distance(add(one.origin, one.direction, s)));

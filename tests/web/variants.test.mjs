@@ -1,7 +1,7 @@
-// A picture in parts, its numbers held where Chromium's GL gains by it, is the picture of one program that reads each
-// number where it needs it, in every byte: what a part leaves out is drawn behind (shaders/pass/canvas.vert). Sizes
-// that no tile divides, times at which what is rare lies elsewhere; and on the page itself, where a slow picture is
-// refined band by band.
+// A picture of base and full shader variants, with cached loads where Chromium's GL gains by them, is in every byte the
+// picture of the full variant alone, which loads each value where it needs it: what the base variant discards is drawn
+// behind it (shaders/pass/canvas.vert). Sizes that no tile divides, times at which uncommon features lie elsewhere; and
+// on the page itself, where a slow picture is refined band by band.
 import { after, before, describe, test } from 'node:test';
 import { strict as assert } from 'node:assert';
 import { readFile } from 'node:fs/promises';
@@ -11,7 +11,7 @@ import { serve } from './server.mjs';
 import { sharedBrowser } from './shared_browser.mjs';
 
 const still = 'pause=on&depth=8';
-// Where a file is not the library's own, though its text be the same, there is one program, and it holds nothing.
+// Where a file is not the library's own, though its text be the same, there is one program, without cached loads.
 const encode = await readFile(new URL('../../shaders/shade/encode.glsl', import.meta.url), 'utf8');
 const cases = [
   { scene: 'pro', size: '163x121', time: 0 },
@@ -34,38 +34,38 @@ for (const name of browserNames)
 
     for (const { scene, size, time } of cases)
       test(`${scene} at ${size}`, async () => {
-        const shown = async (parts) => {
+        const shown = async (variants) => {
           const page = await openPage(
             browser,
-            `${server.url}?scene=${scene}&size=${size}&time=${time}&${still}&adapt=off&parts=${parts}`,
+            `${server.url}?scene=${scene}&size=${size}&time=${time}&${still}&adapt=off&parts=${variants}`,
           );
           const { sourceBytes } = await page.evaluate(() => window.gnomon.stats());
           const seen = await picture(page);
-          const holds = () => page.evaluate(() => window.gnomon.source().includes('void cacheLoads('));
-          assert.equal(await holds(), name === 'chromium');
+          const cachesLoads = () => page.evaluate(() => window.gnomon.source().includes('void cacheLoads('));
+          assert.equal(await cachesLoads(), name === 'chromium');
           await page.evaluate((text) => window.gnomon.shaders({ 'shade/encode.glsl': text }), encode);
-          assert.equal(await holds(), false);
+          assert.equal(await cachesLoads(), false);
           const plain = await picture(page);
           page.verify();
           await page.close();
           return { seen, sourceBytes, plain };
         };
-        const whole = await shown('off'),
-          parts = await shown('on');
-        assert.equal(differences(parts.plain, parts.seen), 0);
+        const full = await shown('off'),
+          both = await shown('on');
+        assert.equal(differences(both.plain, both.seen), 0);
         assert.ok(
-          parts.sourceBytes > whole.sourceBytes + 10_000,
-          `there was no usual program: ${parts.sourceBytes} bytes beside ${whole.sourceBytes}`,
+          both.sourceBytes > full.sourceBytes + 10_000,
+          `there was no base variant: ${both.sourceBytes} bytes beside ${full.sourceBytes}`,
         );
-        assert.ok(new Set(whole.seen.data).size > 50, 'the picture shows nothing');
-        assert.equal(differences(parts.seen, whole.seen), 0);
+        assert.ok(new Set(full.seen.data).size > 50, 'the picture shows nothing');
+        assert.equal(differences(both.seen, full.seen), 0);
       });
 
     test('pro as the page refines it', async () => {
       const viewport = { width: 641, height: 479 };
       const url = `${server.url}?scene=pro&size=641x479&${still}`;
-      const whole = await openPage(browser, `${url}&time=3&adapt=off&parts=off`, { viewport });
-      const wanted = await picture(whole);
+      const full = await openPage(browser, `${url}&time=3&adapt=off&parts=off`, { viewport });
+      const wanted = await picture(full);
       const page = await openPage(browser, `${url}&time=0`, { viewport });
       await page.evaluate(() => {
         // all but the canvas
@@ -74,8 +74,8 @@ for (const name of browserNames)
       });
       await page.evaluate(() => window.gnomon.set('time', 3)); // all programs are ready: it is drawn by them anew
       const shown = async () => PNG.sync.read(Buffer.from(await page.screenshot()));
-      await until('the picture of the whole program', async () => differences(await shown(), wanted) === 0);
-      for (const each of [page, whole]) {
+      await until('the picture of the full variant', async () => differences(await shown(), wanted) === 0);
+      for (const each of [page, full]) {
         each.verify();
         await each.close();
       }
