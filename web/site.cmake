@@ -19,19 +19,6 @@ function(mirror from to)
   endforeach()
 endfunction()
 
-# Comments that have lines of their own stay in the repository, as those of the shaders do: a visitor waits for what the
-# page carries.
-function(strip_comments folder)
-  file(GLOB scripts ${folder}/*.js)
-  foreach(script ${scripts})
-    file(READ ${script} text)
-    string(REGEX REPLACE "\n[ ]*//[^\n]*" "" text "\n${text}")
-    string(REGEX REPLACE "\n[ ]*/\\*([^*]|\\*+[^*/])*\\*+/" "" text "${text}")
-    string(REGEX REPLACE "^\n+" "" text "${text}")
-    file(WRITE ${script} "${text}")
-  endforeach()
-endfunction()
-
 # A text safe inside a JSON string: CMake unescapes what it reads from JSON.
 function(quote text out)
   string(REPLACE "\\" "\\\\" text "${text}")
@@ -66,8 +53,10 @@ function(index_scenes folder)
 endfunction()
 
 file(COPY ${SOURCE}/web/index.html DESTINATION ${SITE})
-mirror(${SOURCE}/web/page ${SITE}/page *.js *.css *.svg)
-strip_comments(${SITE}/page)
+execute_process(COMMAND node ${SOURCE}/web/minify.mjs ${SOURCE}/web/page ${SITE}/page RESULT_VARIABLE failed)
+if(failed)
+  message(FATAL_ERROR "the page's modules cannot be minified: scripts/setup web installs terser")
+endif()
 mirror(${SOURCE}/assets/textures ${SITE}/assets/textures *.png *.jpg)
 mirror(${SOURCE}/assets/scenes ${SITE}/assets/scenes *.json)
 file(REMOVE ${SITE}/assets/scenes/scene.schema.json)

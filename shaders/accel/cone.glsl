@@ -1,7 +1,8 @@
-// Searches for the objects that a cone of light may meet: those in a hierarchy by the balls about its boxes, those of a lattice
-// by the ball about all of it.
+// Searches for the objects that a cone of light may meet: those in a hierarchy by the balls about its boxes, those of a
+// lattice by the ball about all of it.
 //
-// nextInCone   the next leaf, from `node` on, whose box the cone may meet; its object's number in its kind, -1 at the end
+// nextInCone   the next leaf, from `node` on, whose box the cone may meet; its object's number in its kind, -1 at the
+//              end
 // latticePassed  whether the cone passes by a lattice of `cells` cells, two texels at `at`
 // Error        nothing is missed: balls are larger than boxes by what rounding may be
 #if HIERARCHIES

@@ -1,12 +1,13 @@
-// Searches for the objects of a kind that a ray may meet: those of its lattice by walking from cell to cell, the others by a
-// bounding-sphere mask, a hierarchy of boxes, or a uniform grid. Which a kind has is chosen by tracer/plan/features.h.
+// Searches for the objects of a kind that a ray may meet: those of its lattice by walking from cell to cell, the others
+// by a bounding-sphere mask, a hierarchy of boxes, or a uniform grid. Which a kind has is chosen by
+// tracer/plan/features.h.
 //
 // start  begins the search of a ray
-// next   number of the next object in its kind that the ray may meet nearer than `t`, -1 at the end; each comes once, or once
-//        more from another cell of a grid. The object that the ray starts on always comes.
+// next   number of the next object in its kind that the ray may meet nearer than `t`, -1 at the end; each comes once,
+//        or once more from another cell of a grid. The object that the ray starts on always comes.
 // ended  that no other one will come, where the search can tell: wide SIMD is spared an iteration that finds nothing
-// mask   a bit for each loose object whose ball the ray does not pass by. The balls are read in a fixed order, all lanes of
-//        a SIMD together: that costs less than the boxes that might spare some of them
+// mask   a bit for each loose object whose ball the ray does not pass by. The balls are read in a fixed order, all
+//        lanes of a SIMD together: that costs less than the boxes that might spare some of them
 #include "ray/bits.glsl"
 #if HIERARCHIES
 #include "accel/hierarchy.glsl"

@@ -1,8 +1,9 @@
-// Uniform grid over resting objects, each cell with a list of those that reach into it. Written by tracer/accel/uniform_grid.h.
+// Uniform grid over resting objects, each cell with a list of those that reach into it. Written by
+// tracer/accel/uniform_grid.h.
 //
 // enterUniformGrid  begins a ray's walk through the grid at `at`: two texels, then one a cell
-// goOn        reads on in the list in hand where all that is read of it has been taken, or the next cell's; false past the grid,
-//             or past `last` (lastStep() in accel/walk.glsl)
+// goOn        reads on in the list in hand where all that is read of it has been taken, or the next cell's; false past
+//             the grid, or past `last` (lastStep() in accel/walk.glsl)
 // takeListed  the next object in the list, -1 where there is none. One that comes twice in a row is passed over
 // Lists       {three objects, -1 for none, the texel at which the list goes on, -1 at its end}
 // Error       no object is missed: it is in the lists of all cells that it comes nearer to than 1/64 of a cell

@@ -1,16 +1,17 @@
-// The refracted rays of Whitted's tree that are still to be traced: where a surface both reflects and refracts, the refracted ray is
-// pushed until the reflected one and all that comes of it are traced.
+// The refracted rays of Whitted's tree that are still to be traced: where a surface both reflects and refracts, the
+// refracted ray is pushed until the reflected one and all that comes of it are traced.
 //
 // trail     which rays are pending, and the way to the current ray; 0 at first
 // pushRay   `path` is that of the ray, one deeper than the surface that it leaves
 // popRay    the deepest pending ray, or the primary ray again where that one has lost its entry
-// retraced  whether what the current ray sees has been added already: it is only on the way to a ray that lost its entry
+// retraced  whether what the current ray sees has been added already: it is only on the way to a ray that lost its
+//           entry
 // onRetrace whether that way takes the refracted ray of the surface at `depth`
-// Stack     three entries at every depth: they lie in registers of every pixel, and seven keep a GPU from 8 waves. A ray of a
-//           deeper tree may lose its entry to another; then the way to it is traced anew from the eye, unseen: one pixel in 600
-//           of `pro` at depth 8 ever needs that. An entry is chosen among the three, not indexed: drivers for wide SIMD gather
-//           and scatter what is indexed a lane at a time, in every iteration (1/20 of `pro`'s time), and stack[n++].ray = r in an
-//           array of structs yields zero rays on Mesa 22.3
+// Stack     three entries at every depth: they lie in registers of every pixel, and seven keep a GPU from 8 waves. A
+//           ray of a deeper tree may lose its entry to another; then the way to it is traced anew from the eye, unseen:
+//           one pixel in 600 of `pro` at depth 8 ever needs that. An entry is chosen among the three, not indexed:
+//           drivers for wide SIMD gather and scatter what is indexed a lane at a time, in every iteration (1/20 of
+//           `pro`'s time), and stack[n++].ray = r in an array of structs yields zero rays on Mesa 22.3
 // Source    S. Laine, Restart Trail for Stackless BVH Traversal, 2010
 #if REFRACTION
 #include "ray/bits.glsl"
@@ -24,9 +25,9 @@ struct StackEntry {
 const int kRayStack = 3;
 StackEntry stack[kRayStack];
 
-// The way through the tree, in one register: of a surface at depth d bit d says that its refracted ray is still to come, bit
-// 8 + d that this ray, not the reflected one, is on the way. From bit 16 on the depth of the surface whose refracted ray is
-// traced anew, 0 for none.
+// The way through the tree, in one register: of a surface at depth d bit d says that its refracted ray is still to
+// come, bit 8 + d that this ray, not the reflected one, is on the way. From bit 16 on the depth of the surface whose
+// refracted ray is traced anew, 0 for none.
 uint pendingIn(uint trail) { return trail & 0xFFu; }
 bool anyPending(uint trail) { return pendingIn(trail) != 0u; }
 bool retraced(uint trail, int depth) { return depth <= int(trail >> 16); }
@@ -34,8 +35,8 @@ bool onRetrace(uint trail, int depth) { return (trail & 256u << depth) != 0u; }
 
 const float kThroughputSteps = 1048576.0;
 
-// A path as the stack holds it, whether its ray is pushed or traced anew: its throughput to a millionth, of the ray cone the two
-// digits that a level of detail needs.
+// A path as the stack holds it, whether its ray is pushed or traced anew: its throughput to a millionth, of the ray
+// cone the two digits that a level of detail needs.
 float upperHalf(float x) { return uintBitsToFloat(floatBitsToUint(x) & 0xFFFF0000u); }
 Path storable(Path path) {
     vec3 throughput = floor(path.throughput * kThroughputSteps + 0.5) / kThroughputSteps;

@@ -1,12 +1,13 @@
-// Hard shadows of the lights' centres by the tree's own search: the surface that was met last asks its lights, then the tree
-// continues. One search in the shader finds what is in the way and what is nearest: there is a quarter less to compile, and on wide
-// SIMD a pixel's shadow rays run beside its neighbours' next rays.
+// Hard shadows of the lights' centres by the tree's own search: the surface that was met last asks its lights, then the
+// tree continues. One search in the shader finds what is in the way and what is nearest: there is a quarter less to
+// compile, and on wide SIMD a pixel's shadow rays run beside its neighbours' next rays.
 //
-// The tree's ray starts where its shadow rays do, on the surface that was met last; a pending one is popped only when they are
-// done. So they need no origin of their own, which would hold registers.
+// The tree's ray starts where its shadow rays do, on the surface that was met last; a pending one is popped only when
+// they are done. So they need no origin of their own, which would hold registers.
 //
-// nearestPastShadows  adds the light that arrives, then meets the next ray as nearestHit() does. `ahead` says whether the tree's
-//                     ray is to be met; where it is not and none is pending, nothing is met and `ahead` stays false
+// nearestPastShadows  adds the light that arrives, then meets the next ray as nearestHit() does. `ahead` says whether
+//                     the tree's ray is to be met; where it is not and none is pending, nothing is met and `ahead`
+//                     stays false
 #include "software/light_position.glsl"
 
 struct ShadowRays {
@@ -29,8 +30,8 @@ Ray nextShadowRay(Ray ray, inout ShadowRays shadows, out float t, out vec3 added
 int nearestPastShadows(inout uint trail, inout Ray ray, inout Path path, inout bool ahead, inout ShadowRays shadows,
                        inout vec3 color, out float t) {
     int object = -1;
-    // Wide SIMD runs a loop's body as long as a pixel is in it: the end is found at its end. Compilers for GPUs spare registers
-    // where they know the number of iterations; SwiftShader pays for the count at each end.
+    // Wide SIMD runs a loop's body as long as a pixel is in it: the end is found at its end. Compilers for GPUs spare
+    // registers where they know the number of iterations; SwiftShader pays for the count at each end.
 #if ITERATIONS_COUNTED
     for (int i = 0; i <= kLightCount; ++i) {
 #else

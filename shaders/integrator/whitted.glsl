@@ -1,5 +1,5 @@
-// Whitted's ray tree in a loop: where a surface both reflects and refracts, the loop continues with the reflected ray, and the
-// refracted one is pushed on the ray stack.
+// Whitted's ray tree in a loop: where a surface both reflects and refracts, the loop continues with the reflected ray,
+// and the refracted one is pushed on the ray stack.
 //
 // radiance  along the primary ray: what every integrator, one file of this folder each, gives to pass/trace.frag
 // Source    T. Whitted, An Improved Illumination Model for Shaded Display, 1980
@@ -34,8 +34,8 @@ const int kMaxIterations = 9; // a ray at each depth, and the last surface's sha
 #endif
 
 #if REFLECTION
-// Whether a ray leaves the point, on which the loop continues: the reflected one, or on a retrace what leads to the ray that
-// lost its entry. The refracted one is pushed.
+// Whether a ray leaves the point, on which the loop continues: the reflected one, or on a retrace what leads to the ray
+// that lost its entry. The refracted one is pushed.
 bool scatterRay(ShadingPoint at, int object, bool again, inout uint trail, inout Path path, inout vec3 direction,
                 inout float side) {
     vec3 incoming = direction;

@@ -1,6 +1,8 @@
-// One given ray a pixel, instead of a camera's: what the intersectors answer, as float32, for measuring and testing them.
+// One given ray a pixel, instead of a camera's: what the intersectors answer, as float32, for measuring and testing
+// them.
 //
-// rayOrigins     xyz: origin; w: +1 where the ray starts on object 0 and travels outside of it, -1 inside, 0: starts nowhere
+// rayOrigins     xyz: origin; w: +1 where the ray starts on object 0 and travels outside of it, -1 inside, 0: starts
+//                nowhere
 // rayDirections  xyz: direction, unit to float32; w: tMin
 // outHit         x: t, y: number of the object in the shader's order, -1 where nothing is hit
 // frame.repeats  how often each ray is intersected, 1 unless that is to be timed: the surface is worked out once

@@ -1,5 +1,6 @@
-// The linear picture, as passes write it: four float32 a pixel, neither clamped nor encoded. A GL that cannot draw to float
-// textures (WebGL2 without EXT_color_buffer_float) keeps their bits in unsigned integers, which every GL can draw to.
+// The linear picture, as passes write it: four float32 a pixel, neither clamped nor encoded. A GL that cannot draw to
+// float textures (WebGL2 without EXT_color_buffer_float) keeps their bits in unsigned integers, which every GL can draw
+// to.
 //
 // store   this pixel's value
 #include "software/coverage_mask.glsl"

@@ -1,4 +1,5 @@
-// One pixel from the linear picture (pass/linear_picture.glsl) as it is shown, or as it is read back: the last of the passes.
+// One pixel from the linear picture (pass/linear_picture.glsl) as it is shown, or as it is read back: the last of the
+// passes.
 //
 // picture        the linear picture, of the size of what is drawn
 // frame.encode   1: shown, each output made visible in [0, 1]; 0: its values as docs/outputs.md tells them

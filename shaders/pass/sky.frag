@@ -1,5 +1,5 @@
-// One pixel of the linear picture whose ray from the eye meets nothing: tracer/software/screen_partition.h says which do. As the
-// tree would draw it.
+// One pixel of the linear picture whose ray from the eye meets nothing: tracer/software/screen_partition.h says which
+// do. As the tree would draw it.
 #include "frame.glsl"
 #include "scene.glsl"
 #include "ray/ray.glsl"

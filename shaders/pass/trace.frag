@@ -1,5 +1,5 @@
-// One pixel of the linear picture: the primary ray through its centre, and the output that the settings ask for, as numbers:
-// pass/resolve.frag makes them visible, or what is read back.
+// One pixel of the linear picture: the primary ray through its centre, and the output that the settings ask for, as
+// numbers: pass/resolve.frag makes them visible, or what is read back.
 #include "frame.glsl"
 #include "scene.glsl"
 #include "ray/ray.glsl"

@@ -7,8 +7,8 @@
 // Error         band 2^-23 size, ray 1.5 ulp, point 1 and normal 1 roundings, as docs/numerics.md names them
 //               (tests/shader/intersect_test.cpp); distance 1.5 roundings, gradient 2 (tests/shader/distance_test.cpp;
 //               measured 1.2 and 0.6)
-// Source        ray re-centred on the box (ray/split.glsl), then three slabs (primitive/convex.glsl); the surface takes the
-//               face whose slab decided, so that a face seen from outside always faces the ray
+// Source        ray re-centred on the box (ray/split.glsl), then three slabs (primitive/convex.glsl); the surface takes
+//               the face whose slab decided, so that a face seen from outside always faces the ray
 // Limits        half sizes > 0; a ray within a face counts as inside of its slab
 #include "primitive/convex.glsl"
 
@@ -84,8 +84,8 @@ Surface surfaceBox(Box box, Ray ray, float t) {
 #if COVERS
 #include "shadow/outline.glsl"
 
-// Corner i of the outline that the apex sees, as signs; towards it they are +. Six corners round the one nearest to the apex;
-// those of them that are on no face that it sees move onto one.
+// Corner i of the outline that the apex sees, as signs; towards it they are +. Six corners round the one nearest to the
+// apex; those of them that are on no face that it sees move onto one.
 vec3 outlineCorner(int i, vec3 sees) {
     vec3 corner = 2.0 * vec3((ivec3(35, 14, 56) >> i) & 1) - 1.0;
     return dot(max(corner, 0.0), sees) > 0.0 ? corner : max(corner, 2.0 * sees - 1.0);

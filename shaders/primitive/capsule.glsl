@@ -3,12 +3,13 @@
 // ballCapsule       about the middle of the axis
 // distanceCapsule   gradient and signed distance; on the axis a fixed direction across it
 // intersectCapsule  nearest t in (ray.tMin, t); from inside the far side
-// surfaceCapsule    point put back to `radius` from the stretch; u runs once around, v from the tip at `to` to that at `from`
+// surfaceCapsule    point put back to `radius` from the stretch; u runs once around, v from the tip at `to` to that at
+//                   `from`
 // Error             band 2^-22 size, ray 2 ulp, point 2 and normal 2 roundings, as docs/numerics.md names them
-//                   (tests/shader/intersect_test.cpp); distance 2 roundings, gradient 2 (tests/shader/distance_test.cpp;
-//                   measured 1.7 and 1.1)
-// Source            ray re-centred on the middle (ray/split.glsl), then the hull of the spans of its two spheres and of the
-//                   cylinder between them (primitive/convex.glsl)
+//                   (tests/shader/intersect_test.cpp); distance 2 roundings, gradient 2
+//                   (tests/shader/distance_test.cpp; measured 1.7 and 1.1)
+// Source            ray re-centred on the middle (ray/split.glsl), then the hull of the spans of its two spheres and of
+//                   the cylinder between them (primitive/convex.glsl)
 // Limits            radius > 0; from and to differ
 #include "primitive/axial.glsl"
 
@@ -80,7 +81,8 @@ Rim touchedRim(LightCone cone, AxialView view, vec3 end, vec3 outward, float rad
     vec3 first = outward - (dot(outward, m) / square) * m;
     first /= max(length(first), 1e-20);
     float r = radius * sqrt(max(1.0 - radius * radius / square, 0.0));
-    float from = atan(sqrt(max(1.0 - share * share, 0.0)), share * dot(view.towards, first)); // where the straight edge begins
+    // Where the straight edge begins.
+    float from = atan(sqrt(max(1.0 - share * share, 0.0)), share * dot(view.towards, first));
     vec3 center = m * (1.0 - radius * radius / square);
     return Rim(across(cone, center), across(cone, r * first), across(cone, r * view.beside), -from, 2.0 * from);
 }

@@ -3,16 +3,16 @@
 // ballCone       about the middle of the axis
 // distanceCone   gradient and signed distance; on the axis, where the side is nearest, the way around() names
 // intersectCone  nearest t in (ray.tMin, t); from inside the far side
-// surfaceCone    point put back onto side or base; u runs once around, v from 0 at the apex to 1 at the base; the base shows
-//                uv 0 … 1 over the square about it
+// surfaceCone    point put back onto side or base; u runs once around, v from 0 at the apex to 1 at the base; the base
+//                shows uv 0 … 1 over the square about it
 // Error          band 2^-21 size, ray 2 ulp, point 2 and normal 2 roundings, as docs/numerics.md names them
 //                (tests/shader/intersect_test.cpp); distance 3 roundings, gradient 2 (tests/shader/distance_test.cpp;
 //                measured 2.6 and 1.6)
-// Source         ray re-centred on the middle (ray/split.glsl). With w below the apex, x across the axis (x1 along the ray's
-//                own way across, x2 beside it) and the half angle's sine S and cosine C the side is C²x² - S²w² = 0, along
-//                the ray a s² + 2 b s + c. Its discriminant is C²(S²h² - a x2²) with h the ray's moment about the apex in
-//                the plane of the axis and x1: nothing cancels but what tangency is made of, down to rays along the side
-//                itself. The slab between base and apex keeps the right one of the two nappes
+// Source         ray re-centred on the middle (ray/split.glsl). With w below the apex, x across the axis (x1 along the
+//                ray's own way across, x2 beside it) and the half angle's sine S and cosine C the side is C²x² - S²w² =
+//                0, along the ray a s² + 2 b s + c. Its discriminant is C²(S²h² - a x2²) with h the ray's moment about
+//                the apex in the plane of the axis and x1: nothing cancels but what tangency is made of, down to rays
+//                along the side itself. The slab between base and apex keeps the right one of the two nappes
 // Limits         radius > 0; base and apex differ; the normal at the apex is that of the side nearest to the ray
 #include "primitive/axial.glsl"
 
@@ -54,8 +54,8 @@ vec4 distanceCone(Cone cone, vec3 p, vec3 from) {
 }
 #endif
 
-// Within the side, without its ends: of the nappe about the base where the ray meets both. Solved about the ray's closest
-// approach to the apex: near the apex the squares of farther points would drown it.
+// Within the side, without its ends: of the nappe about the base where the ray meets both. Solved about the ray's
+// closest approach to the apex: near the apex the squares of farther points would drown it.
 vec2 coneSide(Cone cone, AxialRay local) {
     vec2 angle = coneAngle(cone);
     float fromApex = local.along - cone.axis.halfLength;
@@ -77,7 +77,8 @@ vec2 coneSide(Cone cone, AxialRay local) {
     float discriminant = angle.y * angle.y * (a > 0.0 ? (abs(h) - side) * (abs(h) + side) : h * h + side * side);
     if (discriminant < 0.0) return kNever;
     if (abs(a) < kParallel) a = a < 0.0 ? -kParallel : kParallel; // along a side: the other root is far off
-    vec2 roots = nearest + rootsOf(a, b, c, discriminant); // a steep ray always meets the side, at the apex at the latest
+    // A steep ray always meets the side, at the apex at the latest.
+    vec2 roots = nearest + rootsOf(a, b, c, discriminant);
     if (a > 0.0) return roots;
     return belowStep > 0.0 ? vec2(roots.y, kAlways.y) : vec2(kAlways.x, roots.x);
 }

@@ -1,15 +1,15 @@
 // What the closed convex shapes share: the stretch of a ray inside of a convex body, and the hit that follows from it.
 //
-// A span is the s of the two ends of that stretch, along the re-centred ray; empty where x > y. A body that is the common
-// part of others has the common part of their spans, a convex union the hull.
+// A span is the s of the two ends of that stretch, along the re-centred ray; empty where x > y. A body that is the
+// common part of others has the common part of their spans, a convex union the hull.
 //
 // slabSpan    between two parallel planes at +-halfWidth of the coordinate p + s d
 // roundSpan   within `radius` of the origin: a sphere; a cylinder where point and direction are laid across its axis
 // meetConvex  the hit in (ray.tMin, t): where the ray enters or, from inside, where it leaves
 // spanEnd     which end of the span the hit is: s, and end = -1 where the ray enters, +1 where it leaves
 // Error       s: a few roundings of the shape's own size over the cosine of the angle of incidence
-// Limits      a direction component below kParallel counts as 0: it drifts 1e-14 in 1e6 units, and no quotient overflows.
-//             A ray that starts inside where rounding says that it passes by leaves where it starts.
+// Limits      a direction component below kParallel counts as 0: it drifts 1e-14 in 1e6 units, and no quotient
+//             overflows. A ray that starts inside where rounding says that it passes by leaves where it starts.
 const vec2 kNever = vec2(1e30, -1e30);
 const vec2 kAlways = vec2(-1e30, 1e30);
 const float kParallel = 1e-20;

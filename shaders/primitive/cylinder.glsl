@@ -3,13 +3,13 @@
 // ballCylinder       about the middle of the axis
 // distanceCylinder   gradient and signed distance; on the axis, where the side is nearest, the way around() names
 // intersectCylinder  nearest t in (ray.tMin, t); from inside the far side
-// surfaceCylinder    point put back onto side or end; u runs once around, v from 0 at `to` to 1 at `from`; each end shows
-//                    uv 0 … 1 over the square about it
+// surfaceCylinder    point put back onto side or end; u runs once around, v from 0 at `to` to 1 at `from`; each end
+//                    shows uv 0 … 1 over the square about it
 // Error              band 2^-22 size, ray 1.5 ulp, point 2 and normal 2 roundings, as docs/numerics.md names them
-//                    (tests/shader/intersect_test.cpp); distance 2.5 roundings, gradient 2 (tests/shader/distance_test.cpp;
-//                    measured 2.2 and 1.1)
-// Source             ray re-centred on the middle (ray/split.glsl), then the common part of a round span across the axis and
-//                    a slab along it (primitive/convex.glsl)
+//                    (tests/shader/intersect_test.cpp); distance 2.5 roundings, gradient 2
+//                    (tests/shader/distance_test.cpp; measured 2.2 and 1.1)
+// Source             ray re-centred on the middle (ray/split.glsl), then the common part of a round span across the
+//                    axis and a slab along it (primitive/convex.glsl)
 // Limits             radius > 0; from and to differ
 #include "primitive/axial.glsl"
 

@@ -1,17 +1,18 @@
-// LargeSphere: a sphere that is huge beside what is seen of it, as the ground under things. Scene files say "sphere"; one that is
-// huge for its scene is drawn as this (drawnKinds() in tracer/scene/scene.h).
+// LargeSphere: a sphere that is huge beside what is seen of it, as the ground under things. Scene files say "sphere";
+// one that is huge for its scene is drawn as this (drawnKinds() in tracer/scene/scene.h).
 //
 // distanceLargeSphere   gradient and signed distance; about the centre some direction
 // intersectLargeSphere  nearest t in (ray.tMin, t); from inside the far side
 // surfaceLargeSphere    point put back onto the surface by one Newton step; uv = longitude, latitude, as of a sphere
-// Error           E = 2^-22 D (1 + D / 2r), D being the distance from the anchor: t: 1 ulp of the distance + E / cosine;
-//                 edge decisions wrong only within E of tangency, D that of the tangent point; surface point within E of
-//                 the surface, before it is rounded to its own coordinates (measured, tests/shader/large_sphere_test.cpp);
-//                 distance 1.75 E, gradient 2 roundings (tests/shader/distance_test.cpp; measured 1.5 and 0.7)
+// Error           E = 2^-22 D (1 + D / 2r), D being the distance from the anchor: t: 1 ulp of the distance + E /
+//                 cosine; edge decisions wrong only within E of tangency, D that of the tangent point; surface point
+//                 within E of the surface, before it is rounded to its own coordinates (measured,
+//                 tests/shader/large_sphere_test.cpp); distance 1.75 E, gradient 2 roundings
+//                 (tests/shader/distance_test.cpp; measured 1.5 and 0.7)
 // Source          a sphere is a bent plane: about an anchor near the surface, under the eye, its points p have
-//                 curvature p.p / 2 + normal.p + height = 0, whose terms are as small as what is near the anchor. The ray is
-//                 re-centred on the anchor (ray/split.glsl), so that only where it meets the globe counts: from far away
-//                 it is as good as a sphere to a factor of two, and needs no other form
+//                 curvature p.p / 2 + normal.p + height = 0, whose terms are as small as what is near the anchor. The
+//                 ray is re-centred on the anchor (ray/split.glsl), so that only where it meets the globe counts: from
+//                 far away it is as good as a sphere to a factor of two, and needs no other form
 // Limits          curvature > 0; normal is unit; the anchor is within rounding of the surface
 #include "primitive/convex.glsl"
 

@@ -1,11 +1,12 @@
-// Mandelbulb: the points that z -> z^power + c, in spherical coordinates, keeps bounded. It has a distance only, and this from
-// below: an estimate.
+// Mandelbulb: the points that z -> z^power + c, in spherical coordinates, keeps bounded. It has a distance only, and
+// this from below: an estimate.
 //
 // distanceMandelbulb  no gradient (0): who needs one takes differences
-// Error               nothing that the estimate shows as inside lies within 0.99 of it (tests/shader/solid_test.cpp: 4000 points in 64
-//                     directions each). It jumps where an orbit escapes a round later
-// Source              D. White and P. Nylander's map, 2009; the estimate 1/2 |z| log |z| / |z'| is J. Hart et al., Ray Tracing
-//                     Deterministic 3-D Fractals, 1989, with the scalar derivative of I. Quilez's Mandelbulb article, 2009
+// Error               nothing that the estimate shows as inside lies within 0.99 of it (tests/shader/solid_test.cpp:
+//                     4000 points in 64 directions each). It jumps where an orbit escapes a round later
+// Source              D. White and P. Nylander's map, 2009; the estimate 1/2 |z| log |z| / |z'| is J. Hart et al., Ray
+//                     Tracing Deterministic 3-D Fractals, 1989, with the scalar derivative of I. Quilez's Mandelbulb
+//                     article, 2009
 // Limits              power 2 … 16, iterations 1 … 32
 struct Mandelbulb {
     vec3 center;

@@ -1,8 +1,9 @@
 // What the flat shapes share: where a ray meets a plane, and the surface there.
 //
-// planeAhead     t of the plane through the point that the origin is relative to; beyond all numbers where the ray lies in it
-// surfacePlanar  the point at `offset` from the anchor, put back onto the plane; uv = in-plane coordinates in scene units
-//                relative to the anchor: for a normal +y they are x and z
+// planeAhead     t of the plane through the point that the origin is relative to; beyond all numbers where the ray lies
+//                in it
+// surfacePlanar  the point at `offset` from the anchor, put back onto the plane; uv = in-plane coordinates in scene
+//                units relative to the anchor: for a normal +y they are x and z
 float planeAhead(vec3 toOrigin, vec3 normal, vec3 direction) {
     float facing = dot(normal, direction);
     return facing == 0.0 ? -3e38 : -dot(normal, toOrigin) / facing;

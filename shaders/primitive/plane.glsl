@@ -2,9 +2,9 @@
 //
 // distancePlane   gradient and signed distance: it divides space, and the side where `from` is not is its inside
 // intersectPlane  t of the plane in (ray.tMin, t)
-// Error           o + t d is within 4 ulp of |origin - point| of the plane, the surface point within 2 * 2^-23 of its distance
-//                 from `point` (tests/shader/intersect_test.cpp); distance 1.5 * 2^-23 of 1 and of the way from `point`, the
-//                 gradient is the normal (tests/shader/distance_test.cpp; measured 1.3)
+// Error           o + t d is within 4 ulp of |origin - point| of the plane, the surface point within 2 * 2^-23 of its
+//                 distance from `point` (tests/shader/intersect_test.cpp); distance 1.5 * 2^-23 of 1 and of the way
+//                 from `point`, the gradient is the normal (tests/shader/distance_test.cpp; measured 1.3)
 // Source          solved about the plane's own point (docs/numerics.md)
 // Limits          normal is unit; a ray in the plane misses
 #include "primitive/planar.glsl"

@@ -3,10 +3,11 @@
 // ballSphere       itself
 // distanceSphere   gradient and signed distance; at the centre +y
 // intersectSphere  nearest t in (ray.tMin, t) along the unit direction; from inside the far side
-// surfaceSphere    point and normal exact to the radius' own rounding; uv = longitude, latitude (u = 0 at -x, v = 0 at +y)
+// surfaceSphere    point and normal exact to the radius' own rounding; uv = longitude, latitude (u = 0 at -x, v = 0 at
+//                  +y)
 // Error            band 2^-22 radius, ray 1.5 ulp, point 2 and normal 2 roundings, as docs/numerics.md names them
-//                  (tests/shader/intersect_test.cpp); distance 1.5 roundings, gradient 2 (tests/shader/distance_test.cpp;
-//                  measured 1.1 and 0.6)
+//                  (tests/shader/intersect_test.cpp); distance 1.5 roundings, gradient 2
+//                  (tests/shader/distance_test.cpp; measured 1.1 and 0.6)
 // Source           ray re-centred on the sphere (ray/split.glsl), then (r - |l|)(r + |l|) instead of r² - l²
 // Limits           radius > 0
 struct Sphere {

@@ -5,15 +5,16 @@
 // intersectTorus  nearest t in (ray.tMin, t)
 // surfaceTorus    point and normal exact to a few ulp of major + minor; u runs around the axis, v around the tube,
 //                 downward outside
-// Error           band 2^-22 (major + minor), ray 1.5 ulp, point 2 and normal 2 roundings, as docs/numerics.md names them
-//                 (tests/shader/intersect_test.cpp); distance 2 roundings, gradient 2 (tests/shader/distance_test.cpp;
-//                 measured 1.7 and 1.0)
-// Source          ray re-centred exactly (ray/split.glsl). Along the ray g(s) = (|xy| - major)² + z² - minor² is concave on
-//                 one interval about the axis and convex before and after it. g and g' at the ends of these three pieces
-//                 tell which can hold the nearest root, and Newton, started at the end where it converges from one side,
-//                 finds it or shows that there is none: no root is missed and none invented (docs/numerics.md)
-// Cost            after the ends of the pieces 1.1 steps a ray into the bounding sphere, 6 where it grazes; 2.2 times the time
-//                 of the textbook's closed form (tests/shader/cost_test.cpp)
+// Error           band 2^-22 (major + minor), ray 1.5 ulp, point 2 and normal 2 roundings, as docs/numerics.md names
+//                 them (tests/shader/intersect_test.cpp); distance 2 roundings, gradient 2
+//                 (tests/shader/distance_test.cpp; measured 1.7 and 1.0)
+// Source          ray re-centred exactly (ray/split.glsl). Along the ray g(s) = (|xy| - major)² + z² - minor² is
+//                 concave on one interval about the axis and convex before and after it. g and g' at the ends of these
+//                 three pieces tell which can hold the nearest root, and Newton, started at the end where it converges
+//                 from one side, finds it or shows that there is none: no root is missed and none invented
+//                 (docs/numerics.md)
+// Cost            after the ends of the pieces 1.1 steps a ray into the bounding sphere, 6 where it grazes; 2.2 times
+//                 the time of the textbook's closed form (tests/shader/cost_test.cpp)
 // Limits          axis unit; 0 < minor < major
 struct Torus {
     vec3 center;
@@ -90,8 +91,8 @@ float tubeBend(Torus torus, TubeRay ray, float s) {
     return (ray.square + ray.dz * ray.dz) * sqrt(square) - torus.major * ray.square * ray.least / square;
 }
 
-// The stretch of the ray that can hold a hit: within the cylinder |xy| <= major + minor and the slab |z| <= minor; empty
-// where x > y.
+// The stretch of the ray that can hold a hit: within the cylinder |xy| <= major + minor and the slab |z| <= minor;
+// empty where x > y.
 vec2 torusBounds(Torus torus, TubeRay ray) {
     const vec2 kNone = vec2(1.0, 0.0);
     float reach = (torus.major + torus.minor) * 1.0000005;
@@ -106,8 +107,8 @@ vec2 torusBounds(Torus torus, TubeRay ray) {
     return vec2(max(bounds.x, min(z.x, z.y)), min(bounds.y, max(z.x, z.y)));
 }
 
-// Of x >= 0, to a rounding or two, at less than pow()'s cost: 1 / root guessed to 4 % by a third of the exponent, then two
-// steps of third order.
+// Of x >= 0, to a rounding or two, at less than pow()'s cost: 1 / root guessed to 4 % by a third of the exponent, then
+// two steps of third order.
 float cubeRoot(float x) {
     float inverse = intBitsToFloat(0x54A2FA8C - int(float(floatBitsToInt(x)) * 0.33333333));
     for (int i = 0; i < 2; ++i) {
@@ -137,8 +138,8 @@ struct TubePiece {
     bool worth; // there may be a root
 };
 
-// at.x is the start of the bounded ray, at.y and at.z the ends of the concave stretch. Where the ray starts outside of the
-// tube the pieces are convex, concave, convex; inside, where -g is what falls, concave, convex, concave.
+// at.x is the start of the bounded ray, at.y and at.z the ends of the concave stretch. Where the ray starts outside of
+// the tube the pieces are convex, concave, convex; inside, where -g is what falls, concave, convex, concave.
 TubePiece firstPiece(Torus torus, TubeRay ray, vec3 at, vec3 g, vec3 slope, bool outside) {
     bool before = at.y > at.x && g.y <= 0.0; // the root lies before the stretch
     bool within = at.z > at.y && g.z <= 0.0; // or, if not, in it
@@ -146,8 +147,8 @@ TubePiece firstPiece(Torus torus, TubeRay ray, vec3 at, vec3 g, vec3 slope, bool
     float low = upToInterval ? at.x : at.y;
     float high = upToInterval ? at.y : at.z;
     bool known = before || (!outside && within);
-    // From outside Newton starts at at.x. There the parabola through g, g' and g'' is better still: what it misses is of
-    // third order, and as g'' shrinks towards the axis it meets 0 at or behind the root. At at.y it is a line.
+    // From outside Newton starts at at.x. There the parabola through g, g' and g'' is better still: what it misses is
+    // of third order, and as g'' shrinks towards the axis it meets 0 at or behind the root. At at.y it is a line.
     float from = outside ? at.x : at.y;
     float fall = outside ? slope.x : slope.y;
     float value = outside ? g.x : g.y;
@@ -172,8 +173,8 @@ TubePiece nextPiece(vec3 at, vec3 g, vec3 slope, float end, bool outside) {
     return TubePiece(s, low, high, outside && !within, known, false, !outside || (slope.z < 0.0 && (within || s <= high)));
 }
 
-// First s in the bounds where g falls through 0, or rises through it where the ray starts inside of the tube; false where
-// there is none. `side` as in intersectTorus, 0 where g at the start is to tell.
+// First s in the bounds where g falls through 0, or rises through it where the ray starts inside of the tube; false
+// where there is none. `side` as in intersectTorus, 0 where g at the start is to tell.
 bool firstCrossing(Torus torus, TubeRay ray, vec2 bounds, float side, out float s) {
     const int kMaxSteps = 40;
     vec3 at = vec3(bounds.x, clamp(concaveInterval(torus, ray), bounds.x, bounds.y));
@@ -190,7 +191,8 @@ bool firstCrossing(Torus torus, TubeRay ray, vec2 bounds, float side, out float 
     bool more = piece.worth && next.worth;
     if (!piece.worth) piece = next;
     s = clamp(piece.s, piece.low, piece.high);
-    // The next step is less than step² |g''| / |2 g'|; |g''| / 2 is less than 1 + major / (major - minor) near the surface.
+    // The next step is less than step² |g''| / |2 g'|; |g''| / 2 is less than 1 + major / (major - minor) near the
+    // surface.
     float hole = torus.major - torus.minor;
     float ample = 4e-9 * torus.major * hole / ((torus.major + hole) * (torus.major + torus.minor));
     float enough = 1.4e-14 * torus.major * torus.major;

@@ -4,15 +4,16 @@
 // distanceTriangle   gradient and distance, without a sign: a triangle has no inside; on it the normal
 // intersectTriangle  t in (ray.tMin, t); watertight: a ray through a shared edge or vertex hits at least one of the
 //                    triangles that share it
-// surfaceTriangle    the point from its barycentric weights: exact to the vertices' own rounding; uv = weights of b and c
-// Error              no leak through shared edges; band 2^-22 of the extent of all triangles, ray 1.5 ulp times a sliver's size over
-//                    its height, point 2 and normal 1 roundings, as docs/numerics.md names them (tests/shader/intersect_test.cpp);
-//                    distance 2.5 roundings, gradient 3, times a sliver's size over its height (tests/shader/distance_test.cpp;
-//                    measured 2.0 and 2.1)
-// Source             S. Woop, C. Benthin, I. Wald, Watertight Ray/Triangle Intersection, JCGT 2(1) 2013; no edge function is
-//                    contracted to fused multiply-add, which would tell the two triangles of an edge apart. The ray is
-//                    re-centred on the middle of all triangles, one point for all of them: they go on seeing one and the
-//                    same ray (docs/numerics.md)
+// surfaceTriangle    the point from its barycentric weights: exact to the vertices' own rounding; uv = weights of b and
+//                    c
+// Error              no leak through shared edges; band 2^-22 of the extent of all triangles, ray 1.5 ulp times a
+//                    sliver's size over its height, point 2 and normal 1 roundings, as docs/numerics.md names them
+//                    (tests/shader/intersect_test.cpp); distance 2.5 roundings, gradient 3, times a sliver's size over
+//                    its height (tests/shader/distance_test.cpp; measured 2.0 and 2.1)
+// Source             S. Woop, C. Benthin, I. Wald, Watertight Ray/Triangle Intersection, JCGT 2(1) 2013; no edge
+//                    function is contracted to fused multiply-add, which would tell the two triangles of an edge apart.
+//                    The ray is re-centred on the middle of all triangles, one point for all of them: they go on seeing
+//                    one and the same ray (docs/numerics.md)
 // Limits             not degenerate
 struct Triangle {
     vec3 a, b, c;
@@ -84,7 +85,8 @@ vec3 sheared(vec3 p, Shear shear) {
     return vec3(vec2(dot(p, shear.axis.zxy), dot(p, shear.axis.yzx)) - along * shear.slope, along / shear.unit);
 }
 
-// Weights of a, b, c times the returned sum, and the s of the re-centred ray times it; the sum is 0 where the ray misses.
+// Weights of a, b, c times the returned sum, and the s of the re-centred ray times it; the sum is 0 where the ray
+// misses.
 float weigh(Triangle triangle, Ray ray, out NearRay near, out vec3 weights, out float scaledS) {
     vec3 middle = middleOfTriangles();
     near = recentre(ray.origin, middle, ray.direction);
@@ -92,8 +94,8 @@ float weigh(Triangle triangle, Ray ray, out NearRay near, out vec3 weights, out 
     vec3 a = sheared((triangle.a - middle) - near.origin, shear);
     vec3 b = sheared((triangle.b - middle) - near.origin, shear);
     vec3 c = sheared((triangle.c - middle) - near.origin, shear);
-    // Twice the signed areas of the origin with each edge. Opaque products are rounded before they are subtracted: the area is
-    // exactly negated where the vertices of an edge change places.
+    // Twice the signed areas of the origin with each edge. Opaque products are rounded before they are subtracted: the
+    // area is exactly negated where the vertices of an edge change places.
     weights = optimisationBarrier(vec3(c.x, a.x, b.x) * vec3(b.y, c.y, a.y)) - optimisationBarrier(vec3(c.y, a.y, b.y) * vec3(b.x, c.x, a.x));
     scaledS = dot(weights, vec3(a.z, b.z, c.z));
     bool inside = all(greaterThanEqual(weights, vec3(0.0))) || all(lessThanEqual(weights, vec3(0.0)));

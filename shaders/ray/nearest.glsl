@@ -1,9 +1,9 @@
 // The scene as a whole: which object a ray meets first, whether anything lies in its way, and the surface there.
 //
-// Objects are numbered by kind, as layoutOf() in tracer/plan/layout.h says, in each kind those first that cast shadows. One
-// loop a kind, over all of its objects or over those that a search comes to; which search changes nothing in the answer: of
-// objects at the same distance the one with the lowest number is met. nearestHit keeps only t and the number, the surface is
-// worked out once, afterwards.
+// Objects are numbered by kind, as layoutOf() in tracer/plan/layout.h says, in each kind those first that cast shadows.
+// One loop a kind, over all of its objects or over those that a search comes to; which search changes nothing in the
+// answer: of objects at the same distance the one with the lowest number is met. nearestHit keeps only t and the
+// number, the surface is worked out once, afterwards.
 #if OUTPUT == WORK
 // What this pixel has asked so far: boxes, objects, and how many shadow rays.
 ivec3 work = ivec3(0);
@@ -28,11 +28,11 @@ bool meets$Shape(int index, Ray ray, inout float t) {
 }
 #endfor
 
-// Object nearest along the ray and nearer than t, which then is its distance; -1 where there is none. For `shadow` the first
-// that is found among those that cast one.
+// Object nearest along the ray and nearer than t, which then is its distance; -1 where there is none. For `shadow` the
+// first that is found among those that cast one.
 //
-// Wide SIMD runs each loop's body at least once, and not every compiler unrolls: loops are tested at their end, and one object
-// has none.
+// Wide SIMD runs each loop's body at least once, and not every compiler unrolls: loops are tested at their end, and one
+// object has none.
 int nearestHit(Ray ray, bool shadow, inout float t) {
     int nearest = -1;
 #for Shape in SHAPES

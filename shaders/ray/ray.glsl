@@ -1,8 +1,8 @@
 // A ray, and what is known of the surface point where it ends.
 //
-// A ray that leaves a surface names the object it starts on (`self`) and the side it travels on: that object's intersector
-// then knows without an epsilon that the start itself is no hit. For all other objects hits nearer than `tMin` are rounding
-// of the start; tMin scales with the start's coordinates.
+// A ray that leaves a surface names the object it starts on (`self`) and the side it travels on: that object's
+// intersector then knows without an epsilon that the start itself is no hit. For all other objects hits nearer than
+// `tMin` are rounding of the start; tMin scales with the start's coordinates.
 const float kFar = 3e38; // where a ray ends that meets nothing
 
 struct Ray {

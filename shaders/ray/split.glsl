@@ -1,12 +1,13 @@
 // Ray parameters about a far point, exact to the shape's own size instead of to the distance from the eye.
 //
-// recentre  moves the ray's origin to its closest approach to `center`. Every product and every sum on the way is exact: the
-//           factors are halves of 12 bits, rounded to nearest, so that each partial sum is a multiple of its own last
-//           place; what the difference of origin and center loses is added at the end, where nothing cancels any more.
-//           |error of the new origin| <= 1 ulp of the closest distance, from any distance (4.9e-4 naively at 1e4 units)
-// passesBy  whether the ray's line passes a ball by, {centre, radius}, with the room that rounding from far away needs: searches
-//           and shapes that are expensive to meet dismiss most objects by this alone. `stretch`, of the ray, is the same for all
-//           balls: not every compiler sees that
+// recentre  moves the ray's origin to its closest approach to `center`. Every product and every sum on the way is
+//           exact: the factors are halves of 12 bits, rounded to nearest, so that each partial sum is a multiple of its
+//           own last place; what the difference of origin and center loses is added at the end, where nothing cancels
+//           any more. |error of the new origin| <= 1 ulp of the closest distance, from any distance (4.9e-4 naively at
+//           1e4 units)
+// passesBy  whether the ray's line passes a ball by, {centre, radius}, with the room that rounding from far away needs:
+//           searches and shapes that are expensive to meet dismiss most objects by this alone. `stretch`, of the ray,
+//           is the same for all balls: not every compiler sees that
 // Source    Dekker's splitting and Knuth's exact difference; figures in docs/numerics.md
 // Limits    any direction but 0. Some compilers fold d - dh back into d, or (a - b) - a into -b: the zero of the frame
 //           block, an optimisation barrier, keeps them apart

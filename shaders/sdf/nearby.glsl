@@ -1,11 +1,12 @@
-// Searches for those objects of a kind that may be nearer to a point than what is known already: the one of a spheres of equal
-// spheres by the cell that the point lies in or next to, those in a hierarchy by their boxes (shaders/accel).
+// Searches for those objects of a kind that may be nearer to a point than what is known already: the one of a spheres
+// of equal spheres by the cell that the point lies in or next to, those in a hierarchy by their boxes (shaders/accel).
 //
 // nearestCell  number of the sphere in a block of `cells` cells, two texels at `at`, whose centre is nearest to p
 // quantisedPoint    a point in the cells that the boxes of a hierarchy are told in
-// nextNearby   the next leaf, from `node` on, whose box is nearer than `reach`; its object's number in its kind, -1 at the end
-// Error        no box is missed: they are moved outwards as rays see them. Of two spheres that are as near but for rounding
-//              either is found
+// nextNearby   the next leaf, from `node` on, whose box is nearer than `reach`; its object's number in its kind, -1 at
+//              the end
+// Error        no box is missed: they are moved outwards as rays see them. Of two spheres that are as near but for
+//              rounding either is found
 #if SPHERE_LATTICES
 int nearestCell(int at, vec3 cells, vec3 p) {
     vec3 place = (p - sceneTexel(at).xyz) / sceneTexel(at + 1).xyz;

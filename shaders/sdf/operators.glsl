@@ -2,10 +2,10 @@
 //
 // unite, intersect, subtract  the least, the greatest, the greatest of one and the negative of the other
 // melt                        union that bends within `blend` of a seam (quadratic); never more than the union
-// unplaced, placed            a point taken into a body's own frame, and the field there brought back: scaled, turned by the
-//                             unit quaternion, then moved. `place` is {translation, scale}
-// inCopy                      a point in the frame of one of the copies nearest to it: bits of `copy` choose along each axis
-//                             of which `bits` is not 0 the second nearest place instead of the nearest
+// unplaced, placed            a point taken into a body's own frame, and the field there brought back: scaled, turned
+//                             by the unit quaternion, then moved. `place` is {translation, scale}
+// inCopy                      a point in the frame of one of the copies nearest to it: bits of `copy` choose along each
+//                             axis of which `bits` is not 0 the second nearest place instead of the nearest
 // Source  I. Quilez, Smooth Minimum, 2013 (the quadratic one); J. Hart, Sphere Tracing, 1996
 const vec4 kNothing = vec4(0.0, 1.0, 0.0, 1e30);
 

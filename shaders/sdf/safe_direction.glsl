@@ -1,6 +1,7 @@
 // Gradients of distances: where a point lies off what is nearest to it.
 //
-// safeDirection   unit direction of `offset`, whose length is given; `otherwise` where that is too short to have a direction
+// safeDirection   unit direction of `offset`, whose length is given; `otherwise` where that is too short to have a
+//                 direction
 // anyAcross  some unit direction across `axis`, which is unit: the same one for an axis
 const float kNoDirection = 1e-15; // the squares of shorter ones leave float32
 

@@ -5,12 +5,12 @@
 //            MARCH_STEPS: equal steps of the ball, then bisection: what is thinner than a step may be missed
 //            MARCH_SPHERE: steps as long as the distance, until that is what float32 resolves of the ball
 //            MARCH_CONE: the same, until the pixel's cone, taken to widen from the eye, holds the surface
-//            MARCH_RELAXED: that with steps as long as if the distance went on to change along the ray as it did, taken back
-//            where the balls free of the surface about both ends do not touch
+//            MARCH_RELAXED: that with steps as long as if the distance went on to change along the ray as it did, taken
+//            back where the balls free of the surface about both ends do not touch
 // surface    the point pulled onto the surface along the gradient; images lie on it as on a floor, in scene units
 // gradient   of an estimate: differences over a tetrahedron of size `reach`
-// Error      t: short of the surface by what the pixel covers, or 2^-20 of the ball's radius where rays start elsewhere; the
-//            point is at most half of that beside it (tests/shader/solid_test.cpp)
+// Error      t: short of the surface by what the pixel covers, or 2^-20 of the ball's radius where rays start
+//            elsewhere; the point is at most half of that beside it (tests/shader/solid_test.cpp)
 // Source     J. Hart, Sphere Tracing, 1996; J. Amanatides, Ray Tracing with Cones, 1984;
 //            C. Bán and G. Valasek, Automatic Step Size Relaxation in Sphere Tracing, 2023
 struct $Shape {

@@ -1,7 +1,7 @@
 // Blinn–Phong: diffuse N·L + specular (N·H)^shininess, each term clamped to [0, 1].
 //
-// reflectedLight  of one light with nothing in its way. Light from behind the geometric normal does not reach the surface,
-//                 whatever a normal map says
+// reflectedLight  of one light with nothing in its way. Light from behind the geometric normal does not reach the
+//                 surface, whatever a normal map says
 // albedo          diffuse colour, tinted by the surface's image
 // toEye           unit, towards where the ray came from
 // Source          J. Blinn, Models of Light Reflection for Computer Synthesized Pictures, 1977

@@ -1,10 +1,11 @@
 // What lights add at a point, light by light: first all that could arrive, then which lights are seen.
 //
 // directLightAt  what each light adds to the picture where nothing is in its way
-// nextLight      the next light that counts, whichever that is: on wide SIMD neighbours wait for each other's shadow rays
+// nextLight      the next light that counts, whichever that is: on wide SIMD neighbours wait for each other's shadow
+//                rays
 // throughput     of this surface to the pixel: a light that adds less than the threshold needs no shadow ray
-// Registers      with this known what the material is holds none any more while shadow rays run. Written out light by light: what
-//                is indexed lies in memory, and SwiftShader unrolls no loop
+// Registers      with this known what the material is holds none any more while shadow rays run. Written out light by
+//                light: what is indexed lies in memory, and SwiftShader unrolls no loop
 #include "ray/bits.glsl"
 #include "shade/lights.glsl"
 #include "shade/blinn_phong.glsl"

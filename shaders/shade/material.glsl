@@ -1,7 +1,7 @@
 // Materials as ScenePacker writes them: six texels each.
 //
-// optics  kPlain, kConductor (reflects by f0), kDielectric (reflects and refracts by ior), kCoat (reflects by f0, keeps its
-//         own colour); f0 is the reflectance at normal incidence
+// optics  kPlain, kConductor (reflects by f0), kDielectric (reflects and refracts by ior), kCoat (reflects by f0, keeps
+//         its own colour); f0 is the reflectance at normal incidence
 // own     light of the surface itself: emitted, and reflected from all around
 // paint, normalMap  layers of images, -1 where there is none
 const int kPlain = 0;

@@ -1,8 +1,10 @@
-// What a surface makes of a ray that meets it: the reflected and the refracted ray, each with its throughput and its ray cone.
+// What a surface makes of a ray that meets it: the reflected and the refracted ray, each with its throughput and its
+// ray cone.
 //
-// scatterAt         the fractions of what arrives; none is refracted where the material is no dielectric or reflects totally
-// reflectedPath, reflectedDirection    of the ray that is mirrored on the shading normal, or on the geometric one where that
-//                                      would lead into the surface
+// scatterAt         the fractions of what arrives; none is refracted where the material is no dielectric or reflects
+//                   totally
+// reflectedPath, reflectedDirection    of the ray that is mirrored on the shading normal, or on the geometric one where
+//                                      that would lead into the surface
 // refractedPath, refractedDirection    of the ray that Snell's law bends
 // Source            T. Whitted, An Improved Illumination Model for Shaded Display, 1980
 #include "ray/path.glsl"

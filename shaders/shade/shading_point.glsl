@@ -1,4 +1,5 @@
-// The point where a ray ends, as shading takes it: surface, material, what its images say, and the normal that they bend.
+// The point where a ray ends, as shading takes it: surface, material, what its images say, and the normal that they
+// bend.
 //
 // shadingPointAt  of object `object` at t along the ray; `width` is that of the ray cone there
 #include "shade/material.glsl"

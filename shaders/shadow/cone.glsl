@@ -1,13 +1,14 @@
 // The cone between a surface point and a light, and the share of the light that distances measured along it leave.
 //
-// ShadowCone  axis from the centre of the surface sphere to that of the light; it touches both spheres (its radii are those
-//             of the discs where it does so, measured across the axis)
+// ShadowCone  axis from the centre of the surface sphere to that of the light; it touches both spheres (its radii are
+//             those of the discs where it does so, measured across the axis)
 // coneRadius    at t along the axis
 // coneDistance  what the scene leaves free there
-// shareOf       tau: the part of a unit disc that a half plane at signed distance r from its middle leaves, -1: none, 1: all
-// Model       what stands in the way is a half plane, and of several things the nearest to the axis alone counts: the share
-//             is shareOf(least of distance / radius). Pointed, several and thin occluders break that; so do wide lights,
-//             since a cone that touches the surface at its start finds cos(alpha) there instead of 1
+// shareOf       tau: the part of a unit disc that a half plane at signed distance r from its middle leaves, -1: none,
+//               1: all
+// Model       what stands in the way is a half plane, and of several things the nearest to the axis alone counts: the
+//             share is shareOf(least of distance / radius). Pointed, several and thin occluders break that; so do wide
+//             lights, since a cone that touches the surface at its start finds cos(alpha) there instead of 1
 // Source      the source document of one-ray soft shadows; docs/shadows.md
 #include "sdf/scene.glsl"
 
@@ -36,7 +37,8 @@ ShadowCone coneOf(ShadowQuery query) {
 // Never quite 0: towards a light without size the cone ends in a point.
 float coneRadius(ShadowCone cone, float t) { return max(cone.radius + t * cone.slope, 1e-6 * cone.radius); }
 
-// The language's own is off by up to 2e-4 on some GLs. Error 2e-8, and rounding. Source: M. Abramowitz and I. Stegun, 4.4.46.
+// The language's own is off by up to 2e-4 on some GLs. Error 2e-8, and rounding. Source: M. Abramowitz and I. Stegun,
+// 4.4.46.
 float arcsine(float x) {
     float a = abs(x);
     float high = ((-0.0012624911 * a + 0.0066700901) * a - 0.0170881256) * a + 0.0308918810;

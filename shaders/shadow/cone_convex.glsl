@@ -1,9 +1,9 @@
-// The linear march with longer steps: a convex object lies behind the plane across the way to its nearest point, and the
-// marched cone may go on until it touches that plane. Kinds that are not convex keep their distance; so do all once the
-// marched cone is thinner than nothing.
+// The linear march with longer steps: a convex object lies behind the plane across the way to its nearest point, and
+// the marched cone may go on until it touches that plane. Kinds that are not convex keep their distance; so do all once
+// the marched cone is thinner than nothing.
 //
-// convexStep  how far the cone of relative radius `marched` can go from `at` without touching an object, and the distance of
-//             the nearest
+// convexStep  how far the cone of relative radius `marched` can go from `at` without touching an object, and the
+//             distance of the nearest
 // Source      J. Hart, Sphere Tracing, 1994; the source document's convex variant
 #include "shadow/cone.glsl"
 #include "shadow/linear.glsl"

@@ -3,13 +3,16 @@
 // The disc is the unit disc of points q, q being the direction axes * vec3(slope * q, 1) from the apex.
 //
 // LightCone    of all rays from the surface point, its apex, to the disc
-// across       a vector from the apex as a point of the cone's own space, where the light's disc lies at z = 1 and (x, y) / z is q
+// across       a vector from the apex as a point of the cone's own space, where the light's disc lies at z = 1 and (x,
+//              y) / z is q
 // passesBy     whether the cone passes a ball by
-// Cover        how much of the disc is covered, and between which q.x in each of 16 rows; a convex body covers a stretch
+// Cover        how much of the disc is covered, and between which q.x in each of 16 rows; a convex body covers a
+//              stretch
 // halfDisc     the cover of all q with dot(normal, q) > level
 // Shade        the union of covers: its area, and a mask of 256 points of the disc, 16 in each row
-// unite        adds a cover. What it has in common with those before follows from both areas and the points' odds: covers that do
-//              not overlap add up to their exact areas, as do those of which one holds the other or which leave nothing bare
+// unite        adds a cover. What it has in common with those before follows from both areas and the points' odds:
+//              covers that do not overlap add up to their exact areas, as do those of which one holds the other or
+//              which leave nothing bare
 // Error        areas: roundings. Union of covers that overlap: the mask's, about .01 of the disc at worst (RMSE .002)
 // Source       R. L. Plackett, A Class of Bivariate Distributions, 1965, for a table of given sums and odds
 // Limits       rows cut the disc into slices of equal area, at the middle of each slice's mass
@@ -110,8 +113,8 @@ float countOf(Points points) {
     return float((sum & 0xFFFFu) + (sum >> 16u));
 }
 
-// What two parts of the disc of known areas have in common, all as shares of it, whose odds of lying in both are those of the
-// mask's points: of all in both or in neither against those in one only.
+// What two parts of the disc of known areas have in common, all as shares of it, whose odds of lying in both are those
+// of the mask's points: of all in both or in neither against those in one only.
 float sharedPart(float a, float b, float both, float neither, float one, float other) {
     float most = min(a, b);
     float least = max(a + b - 1.0, 0.0);

@@ -1,12 +1,14 @@
-// What a convex outline covers of a light's disc: the exact area of its polygon, and of the arcs over the polygon's edges.
+// What a convex outline covers of a light's disc: the exact area of its polygon, and of the arcs over the polygon's
+// edges.
 //
-// A body's outline is drawn in the cone's space, where the light's disc is z = 1 and |(x, y)| <= z: startOutline() where it
-// begins, edgeTo() from corner to corner, closeOutline(). What lies behind the apex or beyond the disc is cut away on the way.
+// A body's outline is drawn in the cone's space, where the light's disc is z = 1 and |(x, y)| <= z: startOutline()
+// where it begins, edgeTo() from corner to corner, closeOutline(). What lies behind the apex or beyond the disc is cut
+// away on the way.
 //
 // coverRims   of a body between two round rims, joined by two straight edges: what cylinder, capsule and cone are
 // Error       polygons: roundings. Arcs: parabolas over steps of 23° or half the disc: .001 of the disc
-// Source      area of edge PQ within the circle at P', Q': (angle(P, P') + P' x Q' + angle(Q', Q)) / 2; the angle alone where it
-//             passes the circle by
+// Source      area of edge PQ within the circle at P', Q': (angle(P, P') + P' x Q' + angle(Q', Q)) / 2; the angle alone
+//             where it passes the circle by
 // Limits      convex. A rim that reaches beyond the disc is cut along a chord
 #include "shadow/cover.glsl"
 
@@ -35,8 +37,8 @@ float angleOf(vec2 v) {
     return v.x >= 0.0 ? fromAxis : (v.y >= 0.0 ? kPi : -kPi) - fromAxis;
 }
 
-// An edge as it is seen; `bulge` is what the arc over it adds to its area. Worked out from its end that is nearer to the disc:
-// the other may be far out.
+// An edge as it is seen; `bulge` is what the arc over it adds to its area. Worked out from its end that is nearer to
+// the disc: the other may be far out.
 void draw(inout Outline outline, vec2 from, vec2 to, float bulge) {
     bool swapped = dot(to, to) < dot(from, from);
     vec2 p = swapped ? to : from;

@@ -1,5 +1,5 @@
-// Soft shadow of one sphere trace to the light's centre: the least of distance over the light's cone, 0 where it is met. Takes
-// the inner half of the penumbra for full shadow.
+// Soft shadow of one sphere trace to the light's centre: the least of distance over the light's cone, 0 where it is
+// met. Takes the inner half of the penumbra for full shadow.
 //
 // Source  I. Quilez, Free penumbra shadows for raymarching distance fields, 2010
 #include "shadow/cone.glsl"

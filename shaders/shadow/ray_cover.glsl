@@ -1,9 +1,9 @@
-// What a body that only estimates its distance covers of a light's disc: by rays, one to a point of each of the disc's seven
-// parts that varies from pixel to pixel. Where two opposite ones agree the others are taken to do so, too.
+// What a body that only estimates its distance covers of a light's disc: by rays, one to a point of each of the disc's
+// seven parts that varies from pixel to pixel. Where two opposite ones agree the others are taken to do so, too.
 //
 // Error   a Mandelbulb: .03 of the disc on average (RMSE), as noise (docs/shadows.md); a part the two miss is missed
-// Why     an estimate tells the way past a body too short, and a march along a cone that grazes one takes many steps for an
-//         answer that is wrong; rays through the body's ball need few
+// Why     an estimate tells the way past a body too short, and a march along a cone that grazes one takes many steps
+//         for an answer that is wrong; rays through the body's ball need few
 #include "shadow/pixel_shift.glsl"
 
 // Two opposite parts first.

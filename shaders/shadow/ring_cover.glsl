@@ -1,17 +1,19 @@
-// What a ring, the points at most `minor` from a circle of radius 1, covers of a light's disc: 64 rays, one amid each four
-// points of the mask, are held against the circle.
+// What a ring, the points at most `minor` from a circle of radius 1, covers of a light's disc: 64 rays, one amid each
+// four points of the mask, are held against the circle.
 //
-// Ring        its apex is the cone's, from the ring's middle; all its lengths and the cone's distance are in units of the circle's
-//             radius
-// ringPasses  where a ray passes the circle before and after it is nearest to the axis: on either side of one stretch about the
-//             axis the squared distance along the ray is convex (primitive/torus.glsl). Laguerre's steps, which where the ray
-//             all but touches the circle and three roots meet still take two thirds of the way, come to its least from without
+// Ring        its apex is the cone's, from the ring's middle; all its lengths and the cone's distance are in units of
+//             the circle's radius
+// ringPasses  where a ray passes the circle before and after it is nearest to the axis: on either side of one stretch
+//             about the axis the squared distance along the ray is convex (primitive/torus.glsl). Laguerre's steps,
+//             which where the ray all but touches the circle and three roots meet still take two thirds of the way,
+//             come to its least from without
 // uniteRing   adds the cover. horizon: the surface's normal; own: it is the ring's
 // Error       of the disc: .01, RMSE .0013; from places nearer to the ring than 1/50 of its tube's radius .015
 //             (tests/shader/ring_cover_test.cpp)
-// Why         a cell of the disc is hidden as far as a straight strip, the tube where the ray passes it, reaches into it. That is
-//             right to second order and knows neither holes, nor folds of the outline, nor where the apex stands. The cells that
-//             the ring hides of its own surface's sky and those below the horizon are nested, not strewn
+// Why         a cell of the disc is hidden as far as a straight strip, the tube where the ray passes it, reaches into
+//             it. That is right to second order and knows neither holes, nor folds of the outline, nor where the apex
+//             stands. The cells that the ring hides of its own surface's sky and those below the horizon are nested,
+//             not strewn
 #include "shadow/cover.glsl"
 
 struct Ring {
@@ -61,7 +63,8 @@ vec2 ringPasses(Ring ring, vec3 d) {
     return s;
 }
 
-// What the tube hides where the ray amid the cells, `stretch` long for each unit along the cone's axis, passes the circle at s.
+// What the tube hides where the ray amid the cells, `stretch` long for each unit along the cone's axis, passes the
+// circle at s.
 vec4 tubeOver(Ring ring, LightCone cone, vec3 d, float stretch, vec2 middle, float s, Cells cells) {
     vec3 across = ring.across + s * (d - dot(d, ring.axis) * ring.axis);
     float fromAxis = length(across);

@@ -1,14 +1,15 @@
 // What a sphere covers of a light's disc, in closed form.
 //
-// coverRound  m: its centre from the apex in the cone's axes, radius: its own, both over the distance to the light; tangent:
-//             squared length of its tangents from the apex, |m|² - radius². Any common factor of m and radius is allowed where
-//             `light`, the distance to the light, is given in the same unit: a huge sphere takes its radius for 1.
+// coverRound  m: its centre from the apex in the cone's axes, radius: its own, both over the distance to the light;
+//             tangent: squared length of its tangents from the apex, |m|² - radius². Any common factor of m and radius
+//             is allowed where `light`, the distance to the light, is given in the same unit: a huge sphere takes its
+//             radius for 1.
 //
-// The disc and the sphere are symmetric about the line through the disc's centre towards m. Along it, at x, the silhouette has
-// the half width sqrt(g(x)) with g quadratic: an ellipse, or a branch of a hyperbola where the silhouette has no end. Seen from
-// the apex all tangents are equally long. Where they end before the light's disc, g is that of the tangent cone, else that of the
-// circle in which the sphere cuts the disc's plane. Either meets the unit circle at one x: beyond it the silhouette is
-// the wider one, before it the disc.
+// The disc and the sphere are symmetric about the line through the disc's centre towards m. Along it, at x, the
+// silhouette has the half width sqrt(g(x)) with g quadratic: an ellipse, or a branch of a hyperbola where the
+// silhouette has no end. Seen from the apex all tangents are equally long. Where they end before the light's disc, g is
+// that of the tangent cone, else that of the circle in which the sphere cuts the disc's plane. Either meets the unit
+// circle at one x: beyond it the silhouette is the wider one, before it the disc.
 // Error       1e-5 of the disc for slopes from .003 (tests/shader/silhouette_test.cpp)
 // Limits      where the tangents end within the light's disc one of the two silhouettes stands for both
 #include "shadow/cover.glsl"

@@ -1,12 +1,15 @@
-// The share of a light that is seen at `samples` points of its disc: (phi, sqrt(u)) of Halton's sequence in bases 2 and 3,
-// shifted at random from pixel to pixel, so that too few samples show as noise and not as bands. A model says beforehand
+// The share of a light that is seen at `samples` points of its disc: (phi, sqrt(u)) of Halton's sequence in bases 2 and
+// 3, shifted at random from pixel to pixel, so that too few samples show as noise and not as bands. A model says
+// beforehand
 //
 // hidden  whether anything stands before the one point of the disc that the query goes to, as to a light without size
 //
 // Error  falls about as 1 / samples^(3/4)
-// Limits llvmpipe ends all loops of a pixel after 65 536 turns in all: what is read back takes many samples in several draws
+// Limits llvmpipe ends all loops of a pixel after 65 536 turns in all: what is read back takes many samples in several
+// draws
 //        (Renderer; how many in one is said in the model's row), a window draws all at once
-// Source J. Halton, On the efficiency of certain quasi-random sequences, 1960; R. Cranley and T. Patterson, 1976, for the
+// Source J. Halton, On the efficiency of certain quasi-random sequences, 1960; R. Cranley and T. Patterson, 1976, for
+// the
 //        shift
 #include "shadow/frame_about.glsl"
 #include "shadow/pixel_shift.glsl"
@@ -47,7 +50,8 @@ float visibility(ShadowQuery query) {
         toPoint.ray.direction = toDisc / stretch;
         toPoint.distance = query.distance * stretch;
         toPoint.lightRadius = 0.0;
-        if (dot(toPoint.ray.direction, query.normal) <= 0.0 && query.ray.self >= 0) continue; // below the horizon: the body itself
+        // Below the horizon: the body itself.
+        if (dot(toPoint.ray.direction, query.normal) <= 0.0 && query.ray.self >= 0) continue;
         if (!hidden(toPoint)) ++seen;
     }
     return float(seen) / float(max(frame.samples, 1));

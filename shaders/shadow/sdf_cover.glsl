@@ -1,9 +1,10 @@
-// What a shape covers of a light's disc that is known by its distance only: it is marched alone, along seven cones that part the
-// disc, its middle and six about it. Where a cone comes relatively nearest to the shape, at the least q = distance / way,
-// the shape's side there counts as a plane, and hides one side of a line across the cone.
+// What a shape covers of a light's disc that is known by its distance only: it is marched alone, along seven cones that
+// part the disc, its middle and six about it. Where a cone comes relatively nearest to the shape, at the least q =
+// distance / way, the shape's side there counts as a plane, and hides one side of a line across the cone.
 //
 // hide$Shape  adds the shape's cover
-// thick$Shape how far behind its near side a shape ends at the latest, across a direction at a point: a plane gets a far side,
+// thick$Shape how far behind its near side a shape ends at the latest, across a direction at a point: a plane gets a
+// far side,
 //             so that a small body hides no more than itself
 // Source      shadows.md's sub-cones; the least q by a secant between two steps where it stops falling
 // Limits      of each cone only the nearest approach counts

@@ -1,5 +1,5 @@
-// The r at which shareOf(r) = share, by bisection: fixed point and Newton iterations both fail at the ends, where the slope
-// is 0. Error 2^-20.
+// The r at which shareOf(r) = share, by bisection: fixed point and Newton iterations both fail at the ends, where the
+// slope is 0. Error 2^-20.
 float shareInverse(float share) {
     if (share <= 0.0) return -1.0;
     if (share >= 1.0) return 1.0;

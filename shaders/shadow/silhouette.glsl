@@ -1,13 +1,13 @@
-// Soft shadow by what the silhouettes of the casters cover of the light's disc. Nothing is marched or sampled where a shape is
-// convex: its cover's area is worked out, and covers that overlap are united over a mask (shadow/cover.glsl). A shape that is
-// not adds its cover to the union itself (uniteTYPE).
+// Soft shadow by what the silhouettes of the casters cover of the light's disc. Nothing is marched or sampled where a
+// shape is convex: its cover's area is worked out, and covers that overlap are united over a mask (shadow/cover.glsl).
+// A shape that is not adds its cover to the union itself (uniteTYPE).
 //
-// The surface's own body hides what is below the horizon and, where it is convex, nothing else. A light without a radius gets
-// the disc that a pixel covers, so that its shadows have edges one pixel wide.
+// The surface's own body hides what is below the horizon and, where it is convex, nothing else. A light without a
+// radius gets the disc that a pixel covers, so that its shadows have edges one pixel wide.
 //
-// Error   a single caster: shadow/round_cover.glsl, outline.glsl and ring_cover.glsl; several that overlap: cover.glsl; a solid,
-//         which is marched: sdf_cover.glsl; an estimate, which rays are sent through: ray_cover.glsl (tests/shader/silhouette_test.cpp,
-//         docs/shadows.md)
+// Error   a single caster: shadow/round_cover.glsl, outline.glsl and ring_cover.glsl; several that overlap: cover.glsl;
+//         a solid, which is marched: sdf_cover.glsl; an estimate, which rays are sent through: ray_cover.glsl
+//         (tests/shader/silhouette_test.cpp, docs/shadows.md)
 // Source  Nishita and Nakamae, 1983, for areas of sources seen past convex polygons; the rest is our own
 #include "ray/bits.glsl"
 #include "shadow/cover.glsl"
@@ -61,8 +61,8 @@ const int kMasked$Shape = k$ShapeLoose;
 const int kMasked$Shape = k$ShapeCasters;
 #endif
 #if $SHAPE_BOUNDED
-// Covers are asked of what the cone does not pass by, and of nothing else. A ray that leaves its own convex body never comes
-// back.
+// Covers are asked of what the cone does not pass by, and of nothing else. A ray that leaves its own convex body never
+// comes back.
 bool counts$Shape(int index, int self, LightCone cone) {
     return index != self && !passesBy(cone, ball$Shape(load$Shape(k$ShapeBase + index * k$ShapeTexels)));
 }

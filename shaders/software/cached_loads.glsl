@@ -1,5 +1,5 @@
-// Reads at fixed places: with CACHED_LOADS they are made once, before all loops, and kept in variables: for SwiftShader, whose
-// compiler makes each read anew, and each is a call that samples a texture.
+// Reads at fixed places: with CACHED_LOADS they are made once, before all loops, and kept in variables: for
+// SwiftShader, whose compiler makes each read anew, and each is a call that samples a texture.
 //
 // object      record of an object of its kind
 // lattice     grid of the kind's lattice

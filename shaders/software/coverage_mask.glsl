@@ -1,4 +1,5 @@
-// Marks this pixel as drawn in the coverage mask, where shader variants share a picture. software/tiles.glsl reads the mask.
+// Marks this pixel as drawn in the coverage mask, where shader variants share a picture. software/tiles.glsl reads the
+// mask.
 #if COVERAGE_MASK
 layout(location = 1) out vec4 outCovered;
 #endif

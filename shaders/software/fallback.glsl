@@ -1,9 +1,11 @@
 // What the base variant falls back from: a pixel whose rays meet, or may meet, uncommon features
-// (tracer/software/uncommon_features.h). It finds that out on the way, goes no further and is discarded; the full variant draws it.
+// (tracer/software/uncommon_features.h). It finds that out on the way, goes no further and is discarded; the full
+// variant draws it.
 //
-// fallsBack      whether this pixel does; with an object: or the surface or material of that object is not in this variant
-// noteUncommon   after a search for the nearest object: the ray may enter, nearer than t, the ball about an object of a kind that
-//                this variant cannot ask
+// fallsBack      whether this pixel does; with an object: or the surface or material of that object is not in this
+//                variant
+// noteUncommon   after a search for the nearest object: the ray may enter, nearer than t, the ball about an object of a
+//                kind that this variant cannot ask
 #if FALLBACK
 #for Shape in UNCOMMON
 #include "primitive/$shape.glsl"

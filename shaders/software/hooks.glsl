@@ -1,5 +1,6 @@
-// All that exists only for software rasterisers, llvmpipe and SwiftShader, lies in this folder. The library's other files call it in
-// the places below, one line each; with its feature off (tracer/plan/features.h) each call is what a GPU would be given anyway.
+// All that exists only for software rasterisers, llvmpipe and SwiftShader, lies in this folder. The library's other
+// files call it in the places below, one line each; with its feature off (tracer/plan/features.h) each call is what a
+// GPU would be given anyway.
 //
 // beforePixel, afterPixel   pass/trace.frag                     PRELOADS, CACHED_LOADS, FALLBACK
 // objectTYPE                ray/nearest.glsl                    CACHED_LOADS: cached_loads.glsl
@@ -11,8 +12,8 @@
 // markCovered               pass/linear_picture.glsl            COVERAGE_MASK: coverage_mask.glsl
 // placeTile                 pass/canvas.vert                    TILES: tiles.glsl
 //
-// Loops whose ends are tested at their ends, and ITERATIONS_COUNTED in integrator/shadow_rays.glsl, stay where they are: they are the
-// shape of a loop that has to be written one way or the other.
+// Loops whose ends are tested at their ends, and ITERATIONS_COUNTED in integrator/shadow_rays.glsl, stay where they
+// are: they are the shape of a loop that has to be written one way or the other.
 #if PRELOADS
 #include "software/preloads.glsl"
 vec4 preloaded;

@@ -1,5 +1,6 @@
-// Where base variants have drawn some of the canvas, what is left is drawn in tiles: each vertex from 3 on is a point as large as
-// a tile, and lies outside where all pixels of its tile are drawn. A point that is not drawn is the one branch that every driver has.
+// Where base variants have drawn some of the canvas, what is left is drawn in tiles: each vertex from 3 on is a point
+// as large as a tile, and lies outside where all pixels of its tile are drawn. A point that is not drawn is the one
+// branch that every driver has.
 //
 // covered     the coverage mask: 0 where nothing is drawn yet
 // kTile       pixels along a side of a tile

@@ -128,7 +128,8 @@ function seamRatio(name, along) {
 
 for (const [name, along] of [['earth-color', 'u'], ['moon-color', 'u'], ['moon-normal', 'u'], ['sun', 'u'], ['sun', 'v'], ['grid', 'u'], ['grid', 'v']]) {
   test(`${name} has no seam along ${along}`, () => {
-    if (name === 'grid') {                              // its border is a line, cut in halves by the edge: the halves must match
+    // Its border is a line, cut in halves by the edge: the halves must match.
+    if (name === 'grid') {
       const { width } = picture(name);
       for (let i = 0; i < width; ++i) {
         const [a, b] = along === 'u' ? [texel(name, 0, i), texel(name, width - 1, i)] : [texel(name, i, 0), texel(name, i, width - 1)];
@@ -150,7 +151,8 @@ test('the sun is bright: its mean is near 0.8', () => {
   assert.ok(mean > 0.72 && mean < 0.9, `mean ${mean}`);
 });
 
-// The sky. World axes: +y to the celestial north pole, +x to right ascension 0, right-handed, +z to right ascension 270.
+// The sky. World axes: +y to the celestial north pole, +x to right ascension 0, right-handed, +z to right ascension
+// 270.
 function skyTexel(raHours, dec) {
   const a = (raHours * Math.PI) / 12, d = (dec * Math.PI) / 180;
   return faceTexel([Math.cos(d) * Math.cos(a), Math.sin(d), -Math.cos(d) * Math.sin(a)]);
@@ -206,9 +208,11 @@ test('places known without the catalogue agree: Sirius 6h45.1m -16.72, Vega 18h3
 test('Orion is not mirrored: seen from inside with north up, Betelgeuse is upper left, Rigel lower right', () => {
   const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
   const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  const toward = [Math.cos(5.6 * Math.PI / 12), 0, -Math.sin(5.6 * Math.PI / 12)];      // the belt: 5h36m, on the equator
+  // The belt: 5h36m, on the equator.
+  const toward = [Math.cos(5.6 * Math.PI / 12), 0, -Math.sin(5.6 * Math.PI / 12)];
   const right = cross(toward, [0, 1, 0]), up = cross(right, toward);
-  // Look at every direction of the constellation's frame, and note where the picture has red and blue light of a bright star.
+  // Look at every direction of the constellation's frame, and note where the picture has red and blue light of a bright
+  // star.
   let red = null, blue = null, redMost = 0, blueMost = 0;
   for (let b = -0.22; b <= 0.22; b += 0.0008) {
     for (let a = -0.13; a <= 0.13; a += 0.0008) {

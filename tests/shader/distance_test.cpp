@@ -3,8 +3,8 @@
 ///
 /// A rounding is 2^-23 of the point's distance from the shape's middle and of the shape's size. A gradient may be off
 /// by so many roundings of its own and by what as many of the point turn it; where it turns by more than 1/20 within 8
-/// of them, as about an edge and on a medial axis, only its length is compared. GNOMON_RAYS says how many points a shape
-/// gets: 200 000 by default.
+/// of them, as about an edge and on a medial axis, only its length is compared. GNOMON_RAYS says how many points a
+/// shape gets: 200 000 by default.
 
 #include "lab/reference/exact/scene_hit.h"
 #include "lab/intersect/subjects.h"

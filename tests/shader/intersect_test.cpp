@@ -1,8 +1,8 @@
 /// Every shape's intersector on the GPU against the exact answer: hits and misses, t, surface point and normal, for all
 /// classes of rays from 3 to 100 000 sizes away.
 ///
-/// Bounds are those that the shapes' files state (lab/intersect/compare_hit.cpp holds them). GNOMON_RAYS says how many rays a
-/// shape gets: 200 000 by default, `scripts/test shader --long` asks for 10 million.
+/// Bounds are those that the shapes' files state (lab/intersect/compare_hit.cpp holds them). GNOMON_RAYS says how many
+/// rays a shape gets: 200 000 by default, `scripts/test shader --long` asks for 10 million.
 
 #include "lab/reference/exact/fan.h"
 #include "lab/intersect/compare_hit.h"

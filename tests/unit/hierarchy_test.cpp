@@ -284,8 +284,8 @@ Ray lineThrough(Dice& dice, const Bounds& box) {
     }
 }
 
-// What cost() and primitivesAsked() foretell is what lines that meet the root's box and stop at nothing count. 2 % is four
-// standard deviations of these counts.
+// What cost() and primitivesAsked() foretell is what lines that meet the root's box and stop at nothing count. 2 % is
+// four standard deviations of these counts.
 TEST_P(HierarchyOf, CostsWhatRandomLinesCount) {
     const Tree tree(bounds, {0, 0, 0});
     Dice dice(12);

@@ -1,5 +1,5 @@
-/// ScreenPartition of a picture hold what they say of every pixel: no ray through the sky meets a box, none through the base
-/// one that is uncommon; and they are worth having: most of what could be sky is.
+/// ScreenPartition of a picture hold what they say of every pixel: no ray through the sky meets a box, none through the
+/// base one that is uncommon; and they are worth having: most of what could be sky is.
 #include "tests/support/clouds.h"
 #include "tracer/software/screen_partition.h"
 

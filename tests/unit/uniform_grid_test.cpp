@@ -124,7 +124,8 @@ TEST(Cells, AreNotPlannedWhereTheyAreOfNoUse) {
               1500);
 }
 
-/// The iterations that the plan expects are those of random lines: as many cells as they cross, more where lists are long.
+/// The iterations that the plan expects are those of random lines: as many cells as they cross, more where lists are
+/// long.
 TEST(Cells, TellHowManyTurnsALineTakes) {
     const auto objects = cloud(1000, 0.03, 1);
     const auto plan = planGrid(objects);

@@ -30,7 +30,7 @@ test(`program, shaders and page are at most ${mostKilobytes} KB when compressed`
   for (const file of files.filter((name) => name.endsWith('.js')))
     assert.doesNotMatch(
       await readFile(file, 'utf8'),
-      /from '\.\/compare/,
+      /from\s*['"]\.\/compare/,
       `${file} loads at once what is to load later`,
     );
 });

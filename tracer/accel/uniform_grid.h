@@ -1,6 +1,6 @@
 /// Cells: a grid over objects, each cell with a list of those that reach into it. A ray walks from cell to cell
-/// (shaders/accel/uniform_grid.glsl): where objects lie evenly scattered it reads less than of a hierarchy, and neighbouring
-/// rays take about as many steps.
+/// (shaders/accel/uniform_grid.glsl): where objects lie evenly scattered it reads less than of a hierarchy, and
+/// neighbouring rays take about as many steps.
 ///
 /// planGrid    how many cells cost a ray least, among grids of cubes of several sizes; none where objects lie too far
 ///              from 0 for float32 to place the walls, or all over one another

@@ -1,5 +1,6 @@
-/// What GL objects belong to. A lost context takes all of its objects along; the one that follows is a new generation, and an object
-/// of an older one reads as empty and touches no GL when it is deleted. So nobody keeps a list of what to forget.
+/// What GL objects belong to. A lost context takes all of its objects along; the one that follows is a new generation,
+/// and an object of an older one reads as empty and touches no GL when it is deleted. So nobody keeps a list of what to
+/// forget.
 ///
 /// One context is current at a time: whoever ends or loses it says so, before objects of the next are made.
 #pragma once

@@ -81,8 +81,8 @@ Texture makeCubemap(const std::vector<Image>& faces, Texels);
 /// RGBA32F texels in rows of `width`; read with texelFetch.
 Texture makeDataTexture(int width, int height);
 
-/// A colour target of its own, of GL_RGBA8, GL_R8, GL_RGBA32F or GL_RGBA32UI texels, read by texelFetch. Empty where the GL cannot
-/// draw to it.
+/// A colour target of its own, of GL_RGBA8, GL_R8, GL_RGBA32F or GL_RGBA32UI texels, read by texelFetch. Empty where
+/// the GL cannot draw to it.
 struct Target {
     Texture color;
     Framebuffer framebuffer;

@@ -1,4 +1,5 @@
-/// Pixels of the framebuffer that is bound, as pictures in memory have them: row 0 = top, where GL's first row is the lowest.
+/// Pixels of the framebuffer that is bound, as pictures in memory have them: row 0 = top, where GL's first row is the
+/// lowest.
 #pragma once
 
 #include "tracer/image.h"

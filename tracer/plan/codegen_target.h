@@ -12,7 +12,8 @@ struct CodegenTarget {
     bool split = false;       ///< shader variants pay off: each pixel pays for all that its program has
     bool fallback = true;     ///< a base variant may leave pixels to the full one
     int tile = 0;             ///< side in pixels of the squares in which the full variant draws them; 0: stencil test
-    bool iterationsCounted = true; ///< by the loop of shadow rays, which ends by itself: shaders/integrator/shadow_rays.glsl
+    /// By the loop of shadow rays, which ends by itself: shaders/integrator/shadow_rays.glsl.
+    bool iterationsCounted = true;
     bool preloads = false;         ///< values at fixed positions are read before all loops
     bool cachedLoads = false;      ///< they are kept in variables instead
 

@@ -1,5 +1,5 @@
-/// A scene with its numbers and images on the GPU. Scenes that follow one another share nothing: the old one draws on until the new
-/// one's programs are ready.
+/// A scene with its numbers and images on the GPU. Scenes that follow one another share nothing: the old one draws on
+/// until the new one's programs are ready.
 #pragma once
 
 #include "tracer/plan/scene_packer.h"

@@ -8,7 +8,8 @@ namespace gnomon {
 
 class OutputReader {
   public:
-    /// The output that the settings name, float32, neither clamped nor encoded. Empty, with a problem, where this GL cannot.
+    /// The output that the settings name, float32, neither clamped nor encoded. Empty, with a problem, where this GL
+    /// cannot.
     FloatImage values(const Drawing&, const View&, Frame&, const gl::Info&, Problems&);
     /// What a window would show.
     Image shown(const Drawing&, const View&, Frame&, const gl::Info&, Problems&);

@@ -1,4 +1,5 @@
-/// Draws a scene with the one shader library: puts the passes in order and keeps what they draw with, GL objects that no caller sees.
+/// Draws a scene with the one shader library: puts the passes in order and keeps what they draw with, GL objects that
+/// no caller sees.
 ///
 /// The order of use: setScene, setImage for what imagesOf(scene) names (a flat grey stands in until then), configure
 /// with the settings, then each frame poll() and draw(). All calls need the context the renderer was made in to be
@@ -36,7 +37,8 @@ class Renderer {
     /// Other overrides from here on, as in the constructor. What draws goes on until the new program is ready.
     void replaceShaders(std::span<const ShaderFile> overrides);
 
-    /// Chooses the programs for the settings and starts to compile them where they are new; the old ones draw on meanwhile.
+    /// Chooses the programs for the settings and starts to compile them where they are new; the old ones draw on
+    /// meanwhile.
     void configure(const Settings&);
 
     /// Lets compiling continue; problems of a failed compile (shader file, line, the driver's words) are added once.
@@ -45,12 +47,13 @@ class Renderer {
     bool finish(Problems&);
     bool canDraw() const;
 
-    /// Draws the picture at `scale` of its resolution and shows it in the framebuffer object `framebuffer` (0 = the window),
-    /// stretched over all of it.
+    /// Draws the picture at `scale` of its resolution and shows it in the framebuffer object `framebuffer` (0 = the
+    /// window), stretched over all of it.
     void draw(const View&, double scale, unsigned framebuffer);
     /// The same into a framebuffer of its own, which stays bound: nothing is shown.
     void drawAside(const View&, double scale);
-    /// Draws `rows` more of the picture at `scale` aside; nothing is shown. It begins anew where view or version() have changed.
+    /// Draws `rows` more of the picture at `scale` aside; nothing is shown. It begins anew where view or version() have
+    /// changed.
     void refine(const View&, double scale, int rows);
     /// Share of that picture that is drawn.
     double refined() const;

@@ -24,8 +24,8 @@ class SceneImages {
     /// Share of the scene's images that are among the pictures.
     double share(const Pictures&) const;
 
-    /// Uploads what is not there as it should be, and binds all. Answers the tiles that paints and normals take where they are new.
-    /// A problem where images are drawn smaller than they are.
+    /// Uploads what is not there as it should be, and binds all. Answers the tiles that paints and normals take where
+    /// they are new. A problem where images are drawn smaller than they are.
     std::optional<Tiles> bind(const Pictures&, Problems&);
 
   private:

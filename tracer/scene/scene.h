@@ -122,9 +122,9 @@ std::vector<ShapeKind> drawnKinds(const Scene&);
 /// so that float32 resolves a scene far away as finely as one at home. It lies on a grid whose step is the power of two
 /// above 8 times the reach of the bounded objects, their orbits included, and above twice their distance from the
 /// scene's camera: the grid point next to the middle of these objects, towards the world's origin. So no coordinate of
-/// theirs or of the camera's grows, and those that float32 holds it holds still. LargeSpheres and planes say nothing of where
-/// the scene is; in a scene of nothing else the camera does. It never changes while a scene is shown: neither time nor
-/// moving the eye counts.
+/// theirs or of the camera's grows, and those that float32 holds it holds still. LargeSpheres and planes say nothing of
+/// where the scene is; in a scene of nothing else the camera does. It never changes while a scene is shown: neither
+/// time nor moving the eye counts.
 glm::dvec3 originOf(const Scene&);
 
 /// Names of all images the scene needs, each once, cube map faces spelled out.

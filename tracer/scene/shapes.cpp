@@ -180,8 +180,8 @@ double rounded(double x) {
     return stored;
 }
 
-/// The sphere in the numbers that shaders/primitive/large_sphere.glsl reads, near `eye` within float32 of what is near, where
-/// centre and radius are within float32 of the radius only.
+/// The sphere in the numbers that shaders/primitive/large_sphere.glsl reads, near `eye` within float32 of what is near,
+/// where centre and radius are within float32 of the radius only.
 Shape largeSphereOf(const Shape& sphere, glm::dvec3 eye) {
     const glm::dvec3 center = pointOf(sphere, "center");
     const double radius = lengthOf(sphere, "radius"), away = glm::distance(eye, center);

@@ -1,6 +1,7 @@
-# Writes OUTPUT: a C++ file with the text of every one of FILES, which lie under ROOT, sorted by name, as FUNCTION that HEADER
-# declares. PREFIX comes before each name, which is relative to ROOT. Comments stay behind, their lines do not, so that a
-# driver's complaint finds its place: the page would carry them for nobody. With PLAIN=ON indentation stays behind, too.
+# Writes OUTPUT: a C++ file with the text of every one of FILES, which lie under ROOT, sorted by name, as FUNCTION that
+# HEADER declares. PREFIX comes before each name, which is relative to ROOT. Comments stay behind, their lines do not,
+# so that a driver's complaint finds its place: the page would carry them for nobody. With PLAIN=ON indentation stays
+# behind, too.
 list(SORT FILES)
 set(body "")
 foreach(file ${FILES})

@@ -1,9 +1,10 @@
-/// What of a picture is drawn, where several shader variants draw it one after the other (variant_programs.h): pixels that the base
-/// variant discards are left for the full one. Depths are not used: they are for surfaces.
+/// What of a picture is drawn, where several shader variants draw it one after the other (variant_programs.h): pixels
+/// that the base variant discards are left for the full one. Depths are not used: they are for surfaces.
 ///
-/// Stencil  where the GL tests it before it runs the shader, as llvmpipe does: the full variant's triangle passes by what is drawn
-/// Mask     where the GL runs the shader first, as SwiftShader does: a second colour output, which the vertex shader of the full
-///          variant reads to put aside squares that are drawn (shaders/pass/canvas.vert)
+/// Stencil  where the GL tests it before it runs the shader, as llvmpipe does: the full variant's triangle passes by
+///          what is drawn
+/// Mask     where the GL runs the shader first, as SwiftShader does: a second colour output, which the vertex shader of
+///          the full variant reads to put aside squares that are drawn (shaders/pass/canvas.vert)
 #pragma once
 
 #include "tracer/gl/objects.h"

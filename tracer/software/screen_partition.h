@@ -1,5 +1,5 @@
-/// Which rectangles of a picture the smaller programs may draw (tracer/software/uncommon_features.h): what rays from the eye through
-/// them cannot meet is told from the boxes about all objects.
+/// Which rectangles of a picture the smaller programs may draw (tracer/software/uncommon_features.h): what rays from
+/// the eye through them cannot meet is told from the boxes about all objects.
 ///
 /// Error  to the safe side: a pixel of `sky` sees no object, one of `base` none that is uncommon, with a
 ///        pixel to spare for what float32 makes of rays in the shader (tests/unit/screen_partition_test.cpp)

@@ -1,6 +1,6 @@
-/// The programs that draw one linear picture: the full one, and where a software rasteriser draws, beside it variants that draw
-/// what they can of it at less cost (tracer/software/uncommon_features.h). The full one draws alone until they are ready, and
-/// wherever the plan has no variants.
+/// The programs that draw one linear picture: the full one, and where a software rasteriser draws, beside it variants
+/// that draw what they can of it at less cost (tracer/software/uncommon_features.h). The full one draws alone until
+/// they are ready, and wherever the plan has no variants.
 #pragma once
 
 #include "tracer/shader/program_cache.h"

@@ -8,8 +8,8 @@ namespace gnomon {
 
 class ResolvePass {
   public:
-    /// Shows the lowest `rows` of the picture over as much of the framebuffer, which is of the view's size, as they are of the
-    /// whole: pixel by pixel where the sizes are the same, else stretched.
+    /// Shows the lowest `rows` of the picture over as much of the framebuffer, which is of the view's size, as they are
+    /// of the whole: pixel by pixel where the sizes are the same, else stretched.
     void show(const Drawing&, const TracePass&, int rows, Frame&, const View&, unsigned framebuffer);
     /// Draws all of it into the target, which is as large: encoded colours, or values.
     static void draw(const Drawing&, const TracePass&, bool shown, Frame&, const gl::Target&);

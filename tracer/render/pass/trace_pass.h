@@ -1,6 +1,7 @@
 /// Traces rays into a linear float picture (shaders/pass/trace.frag), some rows at a time.
 ///
-/// The order of use: begin, then step until done() is 1. The picture keeps the rows of the one before until they are drawn.
+/// The order of use: begin, then step until done() is 1. The picture keeps the rows of the one before until they are
+/// drawn.
 #pragma once
 
 #include "tracer/render/drawing.h"

@@ -2,8 +2,8 @@
 //
 // Source  three slabs met at (±h - o) / d with the reciprocal of the direction (T. Kay, J. Kajiya, Ray Tracing Complex
 //         Scenes, 1986)
-// Limits  a ray within a face's plane makes 0 · inf; edges are off by the rounding of o · 1/d. The face is guessed from the
-//         point. An epsilon keeps rays off their own start; side is ignored. No texture coordinates
+// Limits  a ray within a face's plane makes 0 · inf; edges are off by the rounding of o · 1/d. The face is guessed from
+//         the point. An epsilon keeps rays off their own start; side is ignored. No texture coordinates
 struct Box {
     vec3 center;
     vec3 halfSize;

@@ -1,9 +1,9 @@
 // Capsule as textbooks have it: the baseline that shaders/primitive/capsule.glsl is measured against.
 //
-// Source  the wall as for the cylinder, x² = r² as a quadratic in t, kept between the ends; the two spheres as quadratics, kept
-//         beyond them
-// Limits  b² - a c about the far origin: from 1000 radii on hits are lost. An epsilon keeps rays off their own start; side is
-//         ignored. No texture coordinates
+// Source  the wall as for the cylinder, x² = r² as a quadratic in t, kept between the ends; the two spheres as
+//         quadratics, kept beyond them
+// Limits  b² - a c about the far origin: from 1000 radii on hits are lost. An epsilon keeps rays off their own start;
+//         side is ignored. No texture coordinates
 struct Capsule {
     vec3 from;
     float radius;

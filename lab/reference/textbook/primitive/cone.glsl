@@ -1,10 +1,10 @@
 // Cone as textbooks have it: the baseline that shaders/primitive/cone.glsl is measured against.
 //
-// Source  ((p - apex) · v)² = cos² |p - apex|² as a quadratic in t, v being the axis from the apex down and cos that of the half
-//         angle; roots kept between apex and base; then the base's plane
-// Limits  b² - a c about the far origin: from some 100 radii on hits are lost; a ray along a side divides by nearly 0. Which
-//         part of the surface was hit is guessed from the point. An epsilon keeps rays off their own start; side is ignored.
-//         No texture coordinates
+// Source  ((p - apex) · v)² = cos² |p - apex|² as a quadratic in t, v being the axis from the apex down and cos that of
+//         the half angle; roots kept between apex and base; then the base's plane
+// Limits  b² - a c about the far origin: from some 100 radii on hits are lost; a ray along a side divides by nearly 0.
+//         Which part of the surface was hit is guessed from the point. An epsilon keeps rays off their own start; side
+//         is ignored. No texture coordinates
 struct Cone {
     vec3 apex;
     float radius;

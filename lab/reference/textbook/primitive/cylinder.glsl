@@ -1,9 +1,9 @@
 // Cylinder as textbooks have it: the baseline that shaders/primitive/cylinder.glsl is measured against.
 //
 // Source  x² = r² as a quadratic in t, x being the part of o + t d across the axis, then the planes of the two ends
-// Limits  b² - a c about the far origin: from 1000 radii on hits are lost; a ray along the axis divides by nearly 0. Which part
-//         of the surface was hit is guessed from the point. An epsilon keeps rays off their own start; side is ignored.
-//         No texture coordinates
+// Limits  b² - a c about the far origin: from 1000 radii on hits are lost; a ray along the axis divides by nearly 0.
+//         Which part of the surface was hit is guessed from the point. An epsilon keeps rays off their own start; side
+//         is ignored. No texture coordinates
 struct Cylinder {
     vec3 from;
     float radius;

@@ -1,8 +1,8 @@
 // Sphere as textbooks have it: the baseline that shaders/primitive/sphere.glsl is measured against.
 //
 // Source  |o + t d - c|² = r² as a quadratic in t with b² - a c about the far origin
-// Limits  b² and a c are of the size of the distance squared, their difference of the radius': from 1000 radii on hits are lost.
-//         An epsilon keeps rays off their own start, wherever that lies; side is ignored
+// Limits  b² and a c are of the size of the distance squared, their difference of the radius': from 1000 radii on hits
+//         are lost. An epsilon keeps rays off their own start, wherever that lies; side is ignored
 struct Sphere {
     vec3 center;
     float radius;

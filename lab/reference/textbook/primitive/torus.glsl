@@ -4,11 +4,11 @@
 //             t⁴ + 4 a t³ + 4 b t² + 8 c t + 4 d = 0,
 //         depressed to x⁴ + 6 p x² + 4 q x + 3 r = 0 by t = x - a, and parted (Ferrari) into
 //             (x² + 2 e x + w - f)(x² - 2 e x + w + f), where w solves w³ - 3 p w² - 3 r w + 9 p r - 2 q² = 0.
-//         That resolvent cubic is solved in closed form: by acos and cos where it has three real roots, else by a cube root.
-//         The torus of I. Quilez, Intersectors, is of this kind
-// Limits  the coefficients grow with the fourth power of the distance: of rays into the bounding sphere (R = 1, r = 1/4) 3 of
-//         1000 are answered wrongly from 10 units away, half from 30, three quarters from 100. Unit directions only.
-//         An epsilon keeps rays off their own start; side is ignored
+//         That resolvent cubic is solved in closed form: by acos and cos where it has three real roots, else by a cube
+//         root. The torus of I. Quilez, Intersectors, is of this kind
+// Limits  the coefficients grow with the fourth power of the distance: of rays into the bounding sphere (R = 1, r =
+//         1/4) 3 of 1000 are answered wrongly from 10 units away, half from 30, three quarters from 100. Unit
+//         directions only. An epsilon keeps rays off their own start; side is ignored
 struct Torus {
     vec3 center;
     float major;

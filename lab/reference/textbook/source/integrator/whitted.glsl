@@ -1,11 +1,12 @@
 // Whitted's ray tree as the source document walked it: a loop with a stack of structs, on which the refracted ray waits
-// while the loop continues with the reflected one. The baseline that shaders/integrator/whitted.glsl is measured against.
+// while the loop continues with the reflected one. The baseline that shaders/integrator/whitted.glsl is measured
+// against.
 //
 // Stack   eight entries at every depth. Written before the count grows: stack[n++].ray = r loses data on Mesa 22.3
-// Waste   no ray is left out for the little that it adds, and every surface is shaded, the sky's planes and the sun as well.
-//         Texture coordinates are worked out once a ray, as in the document; point and normal at every closer hit
-// Limits  of light inside of glass only what leaves it is followed, unless reflection is total. Images show the detail that
-//         neighbouring pixels ask for, whatever those see: there are no ray cones.
+// Waste   no ray is left out for the little that it adds, and every surface is shaded, the sky's planes and the sun as
+//         well. Texture coordinates are worked out once a ray, as in the document; point and normal at every closer hit
+// Limits  of light inside of glass only what leaves it is followed, unless reflection is total. Images show the detail
+//         that neighbouring pixels ask for, whatever those see: there are no ray cones.
 //         The document asked its torus by secondary rays only; here every ray asks it, as all else
 #if IMAGES
 #include "shade/images.glsl"

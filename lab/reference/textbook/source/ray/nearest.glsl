@@ -1,7 +1,8 @@
-// The scene as a whole, as the source document asked it: one loop over all objects of each kind, and at every closer hit
-// the whole record of it. The baseline that shaders/ray/nearest.glsl is measured against.
+// The scene as a whole, as the source document asked it: one loop over all objects of each kind, and at every closer
+// hit the whole record of it. The baseline that shaders/ray/nearest.glsl is measured against.
 //
-// findClosest  the nearest hit along the ray; `shadow`: of what casts shadows, told by the object's number once it is hit
+// findClosest  the nearest hit along the ray; `shadow`: of what casts shadows, told by the object's number once it is
+//              hit
 // Limits       every ray asks every object, shadow rays no less than others
 #for Shape in SHAPES
 #include "primitive/$shape.glsl"

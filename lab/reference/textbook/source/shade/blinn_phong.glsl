@@ -1,5 +1,5 @@
-// Blinn–Phong as shaders/shade/blinn_phong.glsl has it, but a shadow ray goes to every light from every surface: where the
-// light is behind it, where it has neither colour nor highlight to show, and where it hardly adds to the picture.
+// Blinn–Phong as shaders/shade/blinn_phong.glsl has it, but a shadow ray goes to every light from every surface: where
+// the light is behind it, where it has neither colour nor highlight to show, and where it hardly adds to the picture.
 #if LIGHTS
 #include "shade/light_fraction.glsl"
 #endif
