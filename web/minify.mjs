@@ -1,7 +1,8 @@
 // Writes files of the page as a visitor downloads them: modules minified, so that comments and long names stay in the
 // repository, all else as it is.
 //
-//   node web/minify.mjs FROM TO   two modules, or two folders: what is newer in FROM is written, what is gone is removed
+//   node web/minify.mjs FROM TO   two modules, or two folders: what is newer in FROM is written, what is gone from it
+//                                 is removed
 import { copyFileSync, mkdirSync, readdirSync, readFileSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { minify } from 'terser';

@@ -1,7 +1,7 @@
 // Pictures read back for page/tracer.js: the canvas' bytes and an output's floats, row 0 = top.
 #include "tracer/gl/gl.h"
-#include "tracer/image.h"
 #include "tracer/gl/read_top_down.h"
+#include "tracer/image.h"
 #include "web/host.h"
 
 #include <algorithm>

@@ -4,9 +4,9 @@
 #include "lab/reference/textbook/textbook.h"
 #include "tracer/clock.h"
 #include "tracer/plan/scene_offsets.h"
-#include "tracer/software/tuning.h"
 #include "tracer/plan/scene_packer.h"
 #include "tracer/shader/program_cache.h"
+#include "tracer/software/tuning.h"
 
 #include <algorithm>
 #include <array>
@@ -133,7 +133,8 @@ Plan TraceLab::planFor(const PreparedScene& scene, const TraceWay& way) const {
 }
 
 bool TraceLab::fits(const Scene& scene, const TraceWay& way) const {
-    return way.data == DataPath::Texture || sceneTexels(planFor(*gnomon::prepare(scene), way).scene) <= targetOf(info_).blockTexels;
+    return way.data == DataPath::Texture ||
+           sceneTexels(planFor(*gnomon::prepare(scene), way).scene) <= targetOf(info_).blockTexels;
 }
 
 std::size_t TraceLab::stepsOf(const Scene& scene) const {
@@ -204,8 +205,7 @@ std::vector<GrowthCosts> TraceLab::measure(Arrangement arrangement, const std::v
         for (const TraceWay& way : waysFor(number)) {
             auto prepared = prepare(scene, {}, way, {&view, 1}, problems);
             if (!prepared) return {};
-            growth.back().ways.push_back(
-                {prepared->costs[0], packMs(gnomon::prepare(scene), way), loadMs(scene, way)});
+            growth.back().ways.push_back({prepared->costs[0], packMs(gnomon::prepare(scene), way), loadMs(scene, way)});
             timed.push_back({prepared->benchmarkCase.get(), view});
             all.push_back(std::move(*prepared));
             if (!progress.step()) return {};

@@ -2,9 +2,8 @@
 #include "native/command/commands.h"
 #include "native/context/context.h"
 #include "tracer/render/renderer.h"
-#include "tracer/software/tuning.h"
-#include "tracer/software/uncommon_features.h"
 #include "tracer/shader/shader_builder.h"
+#include "tracer/software/tuning.h"
 #include "tracer/software/uncommon_features.h"
 
 #include <algorithm>

@@ -15,9 +15,13 @@ struct CellWalk {
     int taken; // last
 };
 
-CellWalk enterUniformGrid(int at, vec3 cells, Ray ray) { return CellWalk(enterGrid(loadGrid(at), cells, ray), vec4(-1.0), -1); }
+CellWalk enterUniformGrid(int at, vec3 cells, Ray ray) {
+    return CellWalk(enterGrid(loadGrid(at), cells, ray), vec4(-1.0), -1);
+}
 
-bool leftUniformGrid(vec3 cells, CellWalk walk) { return max(walk.list.x, walk.list.w) < 0.0 && leftGrid(cells, walk.grid); }
+bool leftUniformGrid(vec3 cells, CellWalk walk) {
+    return max(walk.list.x, walk.list.w) < 0.0 && leftGrid(cells, walk.grid);
+}
 
 bool goOn(int lists, vec3 cells, float last, inout CellWalk walk) {
     if (walk.list.x >= 0.0) return true;

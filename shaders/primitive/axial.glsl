@@ -112,6 +112,7 @@ AxialView axialView(Axis axis, vec3 apex) {
 
 // Around the axis at a place along it.
 Rim rimAround(LightCone cone, AxialView view, vec3 along, float radius, float from, float sweep) {
-    return Rim(across(cone, view.toMiddle + along), across(cone, radius * view.towards), across(cone, radius * view.beside), from, sweep);
+    return Rim(across(cone, view.toMiddle + along), across(cone, radius * view.towards),
+        across(cone, radius * view.beside), from, sweep);
 }
 #endif

@@ -72,7 +72,8 @@ Surface surfaceBox(Box box, Ray ray, float t) {
     p = mix(p, normal * box.halfSize, face);
     Surface surface = bareSurface(box.center + p, normal, 0.0);
 #if BOX_IMAGES
-    surface.tangent = face.x > 0.0 ? vec3(0.0, 0.0, -normal.x) : (face.y > 0.0 ? vec3(1.0, 0.0, 0.0) : vec3(normal.z, 0.0, 0.0));
+    surface.tangent = face.x > 0.0 ? vec3(0.0, 0.0, -normal.x)
+        : (face.y > 0.0 ? vec3(1.0, 0.0, 0.0) : vec3(normal.z, 0.0, 0.0));
     vec3 down = cross(surface.tangent, normal);
     vec2 size = 2.0 * vec2(dot(box.halfSize, abs(surface.tangent)), dot(box.halfSize, abs(down)));
     surface.uv = 0.5 + vec2(dot(p, surface.tangent), dot(p, down)) / size;

@@ -23,7 +23,9 @@ Capsule loadCapsule(int at) {
     return Capsule(axisBetween(a.xyz, sceneTexel(at + 1).xyz), a.w);
 }
 
-vec4 ballCapsule(Capsule capsule) { return vec4(onAxis(capsule.axis, vec3(0.0)), capsule.axis.halfLength + capsule.radius); }
+vec4 ballCapsule(Capsule capsule) {
+    return vec4(onAxis(capsule.axis, vec3(0.0)), capsule.axis.halfLength + capsule.radius);
+}
 
 #if DISTANCES
 #include "sdf/safe_direction.glsl"
@@ -62,11 +64,13 @@ Surface surfaceCapsule(Capsule capsule, Ray ray, float t) {
     float core = clamp(along, -axis.halfLength, axis.halfLength);
     vec3 across = local.across + s * local.acrossStep;
     vec3 normal = normalize(across + (along - core) * axis.along);
-    Surface surface = bareSurface(onAxis(axis, core * axis.along + capsule.radius * normal), normal, 1.0 / capsule.radius);
+    Surface surface = bareSurface(onAxis(axis, core * axis.along + capsule.radius * normal), normal,
+        1.0 / capsule.radius);
 #if CAPSULE_IMAGES
     float perUnit = 1.0 / (3.14159265358979 * capsule.radius + 2.0 * axis.halfLength);
     float lean = asin(clamp(dot(normal, axis.along), -1.0, 1.0));
-    wrapAround(surface, axis, around(axis, across), capsule.radius, 0.5 - (core + capsule.radius * lean) * perUnit, perUnit);
+    wrapAround(surface, axis, around(axis, across), capsule.radius, 0.5 - (core + capsule.radius * lean) * perUnit,
+        perUnit);
 #endif
     return surface;
 }

@@ -23,7 +23,9 @@ Cylinder loadCylinder(int at) {
     return Cylinder(axisBetween(a.xyz, sceneTexel(at + 1).xyz), a.w);
 }
 
-vec4 ballCylinder(Cylinder cylinder) { return vec4(onAxis(cylinder.axis, vec3(0.0)), length(vec2(cylinder.axis.halfLength, cylinder.radius))); }
+vec4 ballCylinder(Cylinder cylinder) {
+    return vec4(onAxis(cylinder.axis, vec3(0.0)), length(vec2(cylinder.axis.halfLength, cylinder.radius)));
+}
 
 #if DISTANCES
 #include "sdf/safe_direction.glsl"
@@ -82,7 +84,8 @@ Cover coverCylinder(Cylinder cylinder, LightCone cone) {
     if (within && beyond <= 0.0) return coverFromInside();
     float turn = within ? kPi : acos(cylinder.radius / view.away);
     vec3 first = view.along < 0.0 ? -end : end; // of the two the one nearer to the apex
-    Rim one = rimAround(cone, view, first, cylinder.radius, -turn, beyond > 0.0 && !within ? -2.0 * (kPi - turn) : 2.0 * turn);
+    float sweep = beyond > 0.0 && !within ? -2.0 * (kPi - turn) : 2.0 * turn;
+    Rim one = rimAround(cone, view, first, cylinder.radius, -turn, sweep);
     Rim other = rimAround(cone, view, -first, cylinder.radius, turn, -2.0 * turn);
     return coverRims(one, other, within);
 }

@@ -59,7 +59,8 @@ bool intersectDisc(Disc disc, Ray ray, float side, inout float t) {
 Surface surfaceDisc(Disc disc, Ray ray, float t) {
     float again;
     vec3 offset = discOffset(disc, ray, again);
-    return surfacePlanar(disc.center, disc.normal, offset * min(1.0, disc.radius * inversesqrt(max(dot(offset, offset), 1e-30))));
+    return surfacePlanar(disc.center, disc.normal,
+        offset * min(1.0, disc.radius * inversesqrt(max(dot(offset, offset), 1e-30))));
 }
 
 #if COVERS
@@ -69,7 +70,8 @@ Cover coverDisc(Disc disc, LightCone cone) {
     vec3 first = abs(disc.normal.x) < 0.9 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 0.0, -1.0);
     first = normalize(first - dot(first, disc.normal) * disc.normal);
     vec3 center = across(cone, disc.center - cone.apex);
-    Rim rim = Rim(center, across(cone, disc.radius * first), across(cone, disc.radius * cross(disc.normal, first)), 0.0, 2.0 * kPi);
+    Rim rim = Rim(center, across(cone, disc.radius * first), across(cone, disc.radius * cross(disc.normal, first)), 0.0,
+        2.0 * kPi);
     return coverRims(rim, rim, true);
 }
 #endif

@@ -170,7 +170,8 @@ TubePiece nextPiece(vec3 at, vec3 g, vec3 slope, float end, bool outside) {
     float high = within ? at.z : end;
     bool known = within || !outside;
     float s = slope.z < 0.0 ? at.z - 0.5 * g.z / slope.z : high;
-    return TubePiece(s, low, high, outside && !within, known, false, !outside || (slope.z < 0.0 && (within || s <= high)));
+    return TubePiece(s, low, high, outside && !within, known, false,
+        !outside || (slope.z < 0.0 && (within || s <= high)));
 }
 
 // First s in the bounds where g falls through 0, or rises through it where the ray starts inside of the tube; false
@@ -259,7 +260,8 @@ Surface surfaceTorus(Torus torus, Ray ray, float t) {
     vec2 around = p.xy * inversesqrt(max(dot(p.xy, p.xy), 1e-30));
     vec3 normal = normalize(p - vec3(torus.major * around, 0.0));
     vec3 ring = vec3(torus.major * around, 0.0);
-    Surface surface = bareSurface(torus.center + (ring + torus.minor * normal) * axes, normal * axes, 1.0 / torus.minor);
+    Surface surface = bareSurface(torus.center + (ring + torus.minor * normal) * axes, normal * axes,
+        1.0 / torus.minor);
 #if TORUS_IMAGES
     const float kTwoPi = 6.28318530717959;
     surface.uv = vec2(atan(around.y, around.x), atan(-normal.z, dot(normal.xy, around))) / kTwoPi + 0.5;
@@ -281,6 +283,7 @@ void uniteTorus(Torus torus, LightCone cone, vec3 horizon, bool own, float uncer
     vec3 across = apex - z * torus.axis;
     cone.distance *= perMajor;
     if (!own && length(vec2(length(across) - 1.0, z)) < minor) shade.largest = kPi;
-    else uniteRing(Ring(apex, torus.axis, minor, z, across, own ? 2.0 * minor * uncertain * perMajor : 0.0), cone, horizon, own, shade);
+    else uniteRing(Ring(apex, torus.axis, minor, z, across, own ? 2.0 * minor * uncertain * perMajor : 0.0), cone,
+        horizon, own, shade);
 }
 #endif

@@ -46,7 +46,8 @@ vec4 distanceTriangle(Triangle triangle, vec3 p, vec3 from) {
     bool over = all(greaterThanEqual(beside, vec3(0.0)));
     // What is nearest follows from signs and parts of edges: squares of lengths would drown the triangle from far away.
     vec3 part = vec3(dot(offA, ab) / dot(ab, ab), dot(offB, bc) / dot(bc, bc), dot(offC, ca) / dot(ca, ca));
-    vec3 facing = vec3(lessThan(beside, vec3(0.0))) * vec3(greaterThan(part, vec3(0.0))) * vec3(lessThan(part, vec3(1.0)));
+    vec3 facing = vec3(lessThan(beside, vec3(0.0))) * vec3(greaterThan(part, vec3(0.0)))
+        * vec3(lessThan(part, vec3(1.0)));
     vec3 offVertex = part.x < 0.5 ? (part.z < 0.5 ? offC : offA) : (part.y < 0.5 ? offB : offC);
     vec3 offEdge = facing.x > 0.0 ? offA - part.x * ab : (facing.y > 0.0 ? offB - part.y * bc : offC - part.z * ca);
     vec3 offRim = facing == vec3(0.0) ? offVertex : offEdge;
@@ -96,7 +97,8 @@ float weigh(Triangle triangle, Ray ray, out NearRay near, out vec3 weights, out 
     vec3 c = sheared((triangle.c - middle) - near.origin, shear);
     // Twice the signed areas of the origin with each edge. Opaque products are rounded before they are subtracted: the
     // area is exactly negated where the vertices of an edge change places.
-    weights = optimisationBarrier(vec3(c.x, a.x, b.x) * vec3(b.y, c.y, a.y)) - optimisationBarrier(vec3(c.y, a.y, b.y) * vec3(b.x, c.x, a.x));
+    weights = optimisationBarrier(vec3(c.x, a.x, b.x) * vec3(b.y, c.y, a.y))
+        - optimisationBarrier(vec3(c.y, a.y, b.y) * vec3(b.x, c.x, a.x));
     scaledS = dot(weights, vec3(a.z, b.z, c.z));
     bool inside = all(greaterThanEqual(weights, vec3(0.0))) || all(lessThanEqual(weights, vec3(0.0)));
     return inside ? weights.x + weights.y + weights.z : 0.0;

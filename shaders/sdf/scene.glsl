@@ -31,13 +31,15 @@ vec4 sceneDistance(vec3 p, vec3 from, float atMost) {
     vec4 nearest = vec4(0.0, 1.0, 0.0, atMost);
 #for Shape in CASTERS
 #if $SHAPE_SPHERE_LATTICE
-    nearest = nearer$Shape(nearest, nearestCell(k$ShapeLattice, vec3(k$ShapeLatticeX, k$ShapeLatticeY, k$ShapeLatticeZ), p), p, from);
+    nearest = nearer$Shape(nearest,
+        nearestCell(k$ShapeLattice, vec3(k$ShapeLatticeX, k$ShapeLatticeY, k$ShapeLatticeZ), p), p, from);
 #endif
 #if $SHAPE_NEARBY
     QuantisedPoint point$Shape = quantisedPoint(k$ShapeQuantisation, p);
     int node$Shape = 0;
     for (int i = k$ShapeLoose; i <= k$ShapeCount; ++i) {
-        int index = k$ShapeLoose + nextNearby(point$Shape, k$ShapeQuantisation + 2, k$ShapeNodes, nearest.w, node$Shape);
+        int index = k$ShapeLoose + nextNearby(point$Shape, k$ShapeQuantisation + 2, k$ShapeNodes, nearest.w,
+            node$Shape);
         if (index < k$ShapeLoose) break;
         if (index < k$ShapeCasters) nearest = nearer$Shape(nearest, index, p, from);
     }

@@ -114,7 +114,8 @@ bool intersect$Shape($Shape solid, Ray ray, float side, inout float t) {
 vec3 gradient$Shape(int at, vec3 p, float reach) {
 #if $SHAPE_ESTIMATED
     vec2 e = vec2(reach, -reach);
-    return e.xyy * field$Shape(at, p + e.xyy).w + e.yyx * field$Shape(at, p + e.yyx).w + e.yxy * field$Shape(at, p + e.yxy).w +
+    return e.xyy * field$Shape(at, p + e.xyy).w + e.yyx * field$Shape(at, p + e.yyx).w +
+        e.yxy * field$Shape(at, p + e.yxy).w +
            e.xxx * field$Shape(at, p + e.xxx).w;
 #else
     return field$Shape(at, p).xyz;

@@ -39,7 +39,8 @@ ShadingPoint shadingPointAt(int object, Ray ray, float t, float width) {
 #if NORMAL_MAPS
     if (at.material.normalMap >= 0) {
         vec4 placement = at.material.normalPlacement;
-        vec3 bump = sampleNormal(at.material.normalMap, at.surface.uv * placement.xy + placement.zw, reach * placement.xy);
+        vec3 bump = sampleNormal(at.material.normalMap, at.surface.uv * placement.xy + placement.zw,
+            reach * placement.xy);
         vec3 bitangent = cross(at.surface.normal, at.surface.tangent);
         at.normal = at.side * normalize(bump.x * at.surface.tangent + bump.y * bitangent + bump.z * at.surface.normal);
     }

@@ -23,7 +23,8 @@ float convexStep(ShadowCone cone, float at, float towards, float marched, out fl
         free = min(free, field.w);
 #if $SHAPE_CONVEX
         float closing = widening - towards * dot(field.xyz, cone.axis);
-        float clear = marched >= 0.0 ? (closing > 0.0 ? (field.w - wide) / closing : 1e30) : (field.w - wide) / (1.0 + abs(widening));
+        float clear = marched >= 0.0 ? (closing > 0.0 ? (field.w - wide) / closing : 1e30)
+            : (field.w - wide) / (1.0 + abs(widening));
 #else
         float clear = (field.w - wide) / (1.0 + abs(widening));
 #endif

@@ -130,7 +130,8 @@ void unite(inout Shade shade, float area, Points points) {
     float both = countOf(inBoth(points, shade.hidden));
     float added = countOf(points) - both;
     float left = shade.count - both;
-    float twice = sharedPart(min(area / kPi, 1.0), min(shade.area / kPi, 1.0), both, 256.0 - both - added - left, added, left);
+    float twice = sharedPart(min(area / kPi, 1.0), min(shade.area / kPi, 1.0), both, 256.0 - both - added - left, added,
+        left);
     shade.area += area - kPi * twice;
     shade.largest = max(shade.largest, area);
     shade.hidden = together(shade.hidden, points);

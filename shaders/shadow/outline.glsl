@@ -56,7 +56,8 @@ void draw(inout Outline outline, vec2 from, vec2 to, float bulge) {
     vec2 b = unitTurn(vec2(dot(p + in1 * d, q), (1.0 - in1) * off));
     vec2 turn = vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
     float signedArea = 0.5 * (angleOf(turn) + (in1 - in0) * off);
-    outline.area += (swapped ? -signedArea : signedArea) + bulge * (in1 * in1 * (3.0 - 2.0 * in1) - in0 * in0 * (3.0 - 2.0 * in0));
+    outline.area += (swapped ? -signedArea : signedArea) +
+        bulge * (in1 * in1 * (3.0 - 2.0 * in1) - in0 * in0 * (3.0 - 2.0 * in0));
     float rise = abs(d.y) < 1e-12 ? 1e-12 : d.y;
     for (int i = 0; i < 4; ++i) {
         vec4 part = (kRows[i] - p.y) / rise;

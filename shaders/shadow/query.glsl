@@ -22,7 +22,8 @@ ShadowQuery shadowQueryTo(Surface surface, int self, Light light, float width) {
     float distance = length(toLight);
     vec3 direction = distance > 0.0 ? toLight / distance : surface.normal;
     float side = dot(direction, surface.normal) >= 0.0 ? 1.0 : -1.0;
-    return ShadowQuery(rayFrom(surface.point, direction, self, side), side * surface.normal, distance, light.radius, 0.5 * width);
+    return ShadowQuery(rayFrom(surface.point, direction, self, side), side * surface.normal, distance, light.radius,
+        0.5 * width);
 }
 
 // Radius of the light's disc over its distance, at most that of a light which the point all but touches.

@@ -34,7 +34,9 @@ struct Cells {
 };
 
 // About `middle`, past an edge whose level rises by `facing` a unit: how far it rises over each, and within each.
-vec4 riseTo(Cells cells, vec2 middle, vec2 facing) { return (cells.x - middle.x) * facing.x + (cells.y - middle.y) * facing.y; }
+vec4 riseTo(Cells cells, vec2 middle, vec2 facing) {
+    return (cells.x - middle.x) * facing.x + (cells.y - middle.y) * facing.y;
+}
 vec4 riseWithin(Cells cells, vec2 facing) {
     vec4 rise = cells.width * cells.width * (facing.x * facing.x) + cells.height * cells.height * (facing.y * facing.y);
     return sqrt(rise) + 1e-6;
@@ -81,7 +83,8 @@ vec4 tubeOver(Ring ring, LightCone cone, vec3 d, float stretch, vec2 middle, flo
     vec2 inside = (ring.minor * s + vec2(-tangent, tangent) * away) * (stretch / (cone.slope * max(square, 1e-20)));
     vec4 rise = riseTo(cells, middle, facing);
     vec4 wide = riseWithin(cells, facing);
-    vec4 hidden = clamp(0.5 + (inside.x - rise) / wide, 0.0, 1.0) + clamp(0.5 + (inside.y + rise) / wide, 0.0, 1.0) - 1.0;
+    vec4 hidden = clamp(0.5 + (inside.x - rise) / wide, 0.0, 1.0) + clamp(0.5 + (inside.y + rise) / wide, 0.0, 1.0)
+        - 1.0;
     float entry = s - sqrt(max(ring.minor * ring.minor - away * away, 0.0));
     return entry < cone.distance * stretch ? max(hidden, 0.0) : vec4(0.0);
 }
@@ -92,7 +95,8 @@ vec4 ringOver(Ring ring, LightCone cone, Cells cells) {
     float stretch = length(along);
     vec3 d = cone.axes * along / stretch;
     vec2 s = ringPasses(ring, d);
-    return max(tubeOver(ring, cone, d, stretch, middle, s.x, cells), tubeOver(ring, cone, d, stretch, middle, s.y, cells));
+    return max(tubeOver(ring, cone, d, stretch, middle, s.x, cells),
+        tubeOver(ring, cone, d, stretch, middle, s.y, cells));
 }
 
 vec4 belowHorizon(LightCone cone, vec3 horizon, Cells cells) {

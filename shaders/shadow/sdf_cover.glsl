@@ -79,7 +79,8 @@ void hide$Shape(int index, ShadowQuery query, LightCone cone, inout Shade shade)
         float size = max(length(facing), 1e-12);
         float r = (normal.z + dot(facing, middle)) / (kPartSlope * size);
         // Where the shape ends on its other side, at the latest.
-        float behind = thick$Shape(shape, cone.apex + nearest.t * direction, direction) / max(nearest.t, 1e-12) / cone.slope * length(vec3(cone.slope * middle, 1.0));
+        float behind = thick$Shape(shape, cone.apex + nearest.t * direction, direction) / max(nearest.t, 1e-12) /
+            cone.slope * length(vec3(cone.slope * middle, 1.0));
         Points near = pointsOf(halfDisc(-facing, normal.z));
         Points far = pointsOf(halfDisc(-facing, normal.z + behind * size));
         points = together(points, inBoth(without(near, far), kParts[part]));

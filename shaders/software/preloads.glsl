@@ -21,7 +21,8 @@ vec4 preload() {
 #elif $SHAPE_SEARCH == GRID
     for (int i = 0; i < 2; ++i) sum += sceneTexel(k$ShapeGrid + i);
 #else
-    for (int i = k$ShapeLoose * k$ShapeTexels; i < k$ShapeCount * k$ShapeTexels; ++i) sum += sceneTexel(k$ShapeBase + i);
+    for (int i = k$ShapeLoose * k$ShapeTexels; i < k$ShapeCount * k$ShapeTexels; ++i) sum += sceneTexel(k$ShapeBase
+        + i);
 #endif
 #if $SHAPE_LATTICE
     for (int i = 0; i < 2; ++i) sum += sceneTexel(k$ShapeLattice + i);

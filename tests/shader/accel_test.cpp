@@ -8,8 +8,8 @@
 #include "tests/support/clouds.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
-#include "tracer/software/tuning.h"
 #include "tracer/plan/plan.h"
+#include "tracer/software/tuning.h"
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
 #include "tests/support/scenes.h"
 #include "tracer/gl/objects.h"
 #include "tracer/shader/library.h"
+#include "tracer/shader/shader_builder.h"
 #include "tracer/software/tuning.h"
 #include "tracer/software/uncommon_features.h"
-#include "tracer/shader/shader_builder.h"
 
 #include <gtest/gtest.h>
 

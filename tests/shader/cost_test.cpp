@@ -7,11 +7,11 @@
 /// only costs. Rays go from a distance to points spread evenly in the bounding sphere, in no order: the eight rays that
 /// llvmpipe takes in lock step have nothing to do with each other.
 
+#include "lab/batch/ray_batch.h"
 #include "lab/reference/textbook/textbook.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
 #include "tracer/clock.h"
-#include "lab/batch/ray_batch.h"
 
 #include <gtest/gtest.h>
 
@@ -198,7 +198,8 @@ TEST(CostOfTheTorus, IsNotPaidForNothing) {
 // The whole frame of the scene `torus`, shadows and reflections and all.
 TEST(CostOfTheTorus, IsLittleOfAFrame) {
     offscreen();
-    const auto torus = std::ranges::find(textbookShaders(), std::string_view("primitive/torus.glsl"), &ShaderFile::name);
+    const auto torus =
+        std::ranges::find(textbookShaders(), std::string_view("primitive/torus.glsl"), &ShaderFile::name);
     ASSERT_NE(torus, textbookShaders().end());
     Settings settings;
     settings.size = {320, 240};

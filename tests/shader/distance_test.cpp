@@ -6,12 +6,12 @@
 /// of them, as about an edge and on a medial axis, only its length is compared. GNOMON_RAYS says how many points a
 /// shape gets: 200 000 by default.
 
-#include "lab/reference/exact/scene_hit.h"
+#include "lab/batch/distance_batch.h"
 #include "lab/intersect/subjects.h"
+#include "lab/reference/exact/scene_hit.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
 #include "tracer/plan/prepared_scene.h"
-#include "lab/batch/distance_batch.h"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 /// Bounds are those that the shapes' files state (lab/intersect/compare_hit.cpp holds them). GNOMON_RAYS says how many
 /// rays a shape gets: 200 000 by default, `scripts/test shader --long` asks for 10 million.
 
-#include "lab/reference/exact/fan.h"
 #include "lab/intersect/compare_hit.h"
 #include "lab/intersect/subjects.h"
+#include "lab/reference/exact/fan.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
 #include "tracer/gl/gl.h"

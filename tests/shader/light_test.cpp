@@ -120,7 +120,8 @@ TEST(Texture, ColoursItsOwnSurfaceOnly) {
     // A mirror coat over a dark textured ball reflects a white sky: the texture must not dim the reflection.
     const auto scene = [](const char* texture) {
         return sceneFrom(std::string(R"({"camera": {"eye": [0, 0, 5], "target": [0, 0, 0]},
-            "background": {"color": [1, 1, 1]}, "materials": {"m": {"ambient": 0, "diffuse": 0, "coat": {"ior": 1.5})") +
+            "background": {"color": [1, 1, 1]}, "materials": {"m": {"ambient": 0, "diffuse": 0,
+                "coat": {"ior": 1.5})") +
                          texture +
                          R"(}}, "objects": [{"sphere": {"center": [0, 0, 0], "radius": 1}, "material": "m"}]})");
     };
@@ -174,7 +175,8 @@ TEST(Texture, LooksTheSameHoweverLateItComes) {
 TEST(Conductor, ReflectsByItsComplexIndexPerChannel) {
     const glm::vec3 gold = colorInTheMiddle(sceneFrom(R"({"camera": {"eye": [0, 0, 5], "target": [0, 0, 0]},
         "background": {"color": [1, 1, 1]},
-        "materials": {"gold": {"ambient": 0, "diffuse": 0, "conductor": {"n": [0.17, 0.35, 1.5], "k": [3.1, 2.7, 1.9]}}},
+        "materials": {"gold": {"ambient": 0, "diffuse": 0, "conductor": {"n": [0.17, 0.35, 1.5],
+            "k": [3.1, 2.7, 1.9]}}},
         "objects": [{"sphere": {"center": [0, 0, 0], "radius": 1}, "material": "gold"}]})"));
     EXPECT_NEAR(gold.r, 0.938, 1e-3);
     EXPECT_NEAR(gold.g, 0.846, 1e-3);
@@ -253,7 +255,8 @@ TEST(Glass, TurnsWhatIsBehindItUpsideDown) {
         "materials": {"glass": {"ambient": 0, "diffuse": 0, "dielectric": {"ior": 1.5}},
                       "bright": {"ambient": 0, "diffuse": 0, "emission": 1}},
         "objects": [{"sphere": {"center": [0, 0, 0], "radius": 1}, "material": "glass"},
-                    {"triangle": {"vertices": [[-900, 0, -20], [900, 0, -20], [0, 900, -20]]}, "material": "bright"}]})");
+                    {"triangle": {"vertices": [[-900, 0, -20], [900, 0, -20], [0, 900, -20]]},
+                        "material": "bright"}]})");
     const FloatImage image = outputOf(scene, sized(60, 60), Aov::Color);
     EXPECT_GT(*image.at(30, 4), 0.9f) << "above the ball: bright";
     EXPECT_LT(*image.at(30, 55), 0.1f) << "below the ball: dark";

@@ -1,10 +1,10 @@
 /// Shadows of a torus by `silhouette` against rays in double that step by the exact distance: from about it and from
 /// within its hole, from on the torus itself, thick and thin, under small lights and wide ones.
 
+#include "lab/batch/light_batch.h"
 #include "lab/intersect/subjects.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
-#include "lab/batch/light_batch.h"
 
 #include <gtest/gtest.h>
 

@@ -167,7 +167,8 @@ INSTANTIATE_TEST_SUITE_P(All, Cones,
 constexpr const char* kBodies = R"({"sphere": {"center": [0.3, 0.2, 2.5], "radius": 0.6}},
     {"capsule": {"from": [-1.5, -1, 2], "to": [-1, 1.2, 3], "radius": 0.2}},
     {"torus": {"center": [1.4, -0.6, 2], "axis": [0.3, 0.2, 1], "major_radius": 0.6, "minor_radius": 0.2}},
-    {"smooth_union": [{"sphere": {"center": [0.2, 1.8, 2], "radius": 0.4}}, {"sphere": {"center": [0.8, 1.6, 2.3], "radius": 0.3}}]})";
+    {"smooth_union": [{"sphere": {"center": [0.2, 1.8, 2], "radius": 0.4}}, {"sphere": {"center": [0.8, 1.6, 2.3],
+        "radius": 0.3}}]})";
 
 std::vector<BatchLit> everywhere(double radius) {
     std::mt19937 random(11);

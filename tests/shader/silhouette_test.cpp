@@ -2,12 +2,12 @@
 /// there are some, else many rays of the oracle. Receivers look up along z at a light 6 away; a length over slope *
 /// height is one in units of the disc.
 
-#include "lab/reference/exact/exact_hit.h"
+#include "lab/batch/light_batch.h"
 #include "lab/intersect/subjects.h"
+#include "lab/reference/exact/exact_hit.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
 #include "tracer/plan/layout.h"
-#include "lab/batch/light_batch.h"
 
 #include <gtest/gtest.h>
 
@@ -377,7 +377,8 @@ TEST(Silhouette, IsTheSameFarFromTheWorldsOrigin) {
     const Scene scene = sceneFrom(R"({"camera": {"eye": [0, 7, 9], "target": [0, 0.3, 0], "fov": 45},
         "lights": [{"point": {"position": [3, 7, 2]}}],
         "objects": [{"plane": {"point": [0, 0, 0], "normal": [0, 1, 0]}},
-            {"sphere": {"center": [-2, 1, 0], "radius": 0.8}}, {"box": {"center": [0, 0.6, 2], "half_size": [0.5, 0.6, 0.4]}},
+            {"sphere": {"center": [-2, 1, 0], "radius": 0.8}}, {"box": {"center": [0, 0.6, 2],
+                "half_size": [0.5, 0.6, 0.4]}},
             {"capsule": {"from": [1, 0.6, 0], "to": [2, 1.6, 1], "radius": 0.3}}]})");
     Settings settings;
     settings.size = {96, 72};

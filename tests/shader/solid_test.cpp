@@ -1,10 +1,10 @@
 /// Distance objects on the GPU against their trees evaluated in double: the generated field, its gradient, and what
 /// rays meet in each way of marching.
+#include "lab/batch/distance_batch.h"
 #include "lab/reference/exact/solid.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
 #include "tests/support/solids.h"
-#include "lab/batch/distance_batch.h"
 #include "tracer/plan/camera.h"
 
 #include <gtest/gtest.h>

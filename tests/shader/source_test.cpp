@@ -6,8 +6,8 @@
 /// different things it is wrong; inside of glass it follows no partial reflections; its rays start 1e-3 off every
 /// surface.
 
-#include "lab/reference/textbook/textbook.h"
 #include "lab/reference/textbook/source_scene.h"
+#include "lab/reference/textbook/textbook.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
 #include "tracer/gl/objects.h"
@@ -110,7 +110,8 @@ TEST(SourceScene, ShowsBoxesOfTriangles) {
     settings.time = 0.7;
     const Scene scene = sceneFrom(R"({"background": {"color": [0.2, 0.3, 0.5]},
         "camera": {"eye": [3, 4, 9], "target": [0, 0, 0]}, "lights": [{"point": {"position": [4, 9, 3]}}],
-        "materials": {"clay": {"ambient": 0.1, "diffuse": 0.8}, "glass": {"specular": 0.5, "shininess": 50, "dielectric": {"ior": 1.5}}},
+        "materials": {"clay": {"ambient": 0.1, "diffuse": 0.8}, "glass": {"specular": 0.5, "shininess": 50,
+            "dielectric": {"ior": 1.5}}},
         "objects": [
             {"name": "moon", "sphere": {"center": [0, 0, 0], "radius": 0.4}, "material": "clay",
              "motion": {"orbit": {"cos": [2, 0, 0], "sin": [0, 0, 2], "rate": 1, "around": "clay"}}},
@@ -165,7 +166,9 @@ TEST(SourceShaders, AskEveryObject) {
     const Settings settings;
     Problems problems;
     const auto textOf = [&](const Scene& scene, std::span<const ShaderFile> overrides) {
-        return buildShader("pass/trace.frag", planOf(*prepare(scene), settings, {.blockTexels = 4096}), problems, overrides).text;
+        return buildShader("pass/trace.frag", planOf(*prepare(scene), settings, {.blockTexels = 4096}), problems,
+                           overrides)
+            .text;
     };
     const Scene scene = sceneNamed("pro");
     const std::string ours = textOf(scene, {}), theirs = textOf(sourceScene(scene), sourceShaders());

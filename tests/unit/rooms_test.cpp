@@ -166,7 +166,10 @@ constexpr std::size_t kMostLines = 400, kMostLinesOfAHost = 300, kMostColumns = 
 
 /// Longer, or wider, than that: tables, which a cut would make no clearer.
 const std::map<std::string, std::string> kTables{
-    {"tracer/settings/settings.cpp", "the one table of settings, its rows together"},
+    {"tests/cli/cli_test.cpp", "one test for each thing a user may type"},
+    {"tests/shader/accel_test.cpp", "one table of scenes for all searches"},
+    {"tests/shader/distance_test.cpp", "one table of points for all shapes"},
+    {"tests/unit/hierarchy_test.cpp", "one table of trees for all of their tests"},
 };
 
 std::size_t columnsOf(const std::string& line) { // of UTF-8

@@ -147,7 +147,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SceneData,
 
 TEST(SceneData, TellsEveryTriangleTheMiddleOfAll) {
     const Scene scene = test::sceneFrom(R"({"objects": [{"triangle": {"vertices": [[0, 0, 0], [1, 0, 0], [0, 2, 0]]}},
-        {"sphere": {"center": [90, 90, 90], "radius": 1}}, {"triangle": {"vertices": [[5, 0, -8], [6, 0, 0], [5, 2, 0]]}}]})");
+        {"sphere": {"center": [90, 90, 90], "radius": 1}},
+            {"triangle": {"vertices": [[5, 0, -8], [6, 0, 0], [5, 2, 0]]}}]})");
     const PreparedScenePtr prepared = prepare(scene);
     const Plan plan = planOf(*prepared, {}, {});
     const auto texels = packScene(prepared, plan, 0);

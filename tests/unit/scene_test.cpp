@@ -80,7 +80,8 @@ TEST(ReadScene, CountsLinesWithWindowsLineEnds) {
 
 TEST(ReadScene, AcceptsTheLimitsThemselves) {
     EXPECT_EQ(problemsOf(R"({"camera": {"eye": [1e6, -1e6, 0], "fov": 170},
-        "objects": [{"sphere": {"center": [0, 0, 1000000], "radius": 1e6}}, {"sphere": {"center": [0, 0, 0], "radius": 1e-6}}]})"),
+        "objects": [{"sphere": {"center": [0, 0, 1000000], "radius": 1e6}}, {"sphere": {"center": [0, 0, 0],
+            "radius": 1e-6}}]})"),
               "");
 }
 
@@ -239,7 +240,8 @@ TEST(ShapesAt, FollowsCentresThatTheFileNamesLater) {
 
 TEST(ShapesAt, MovesAroundTheReferencePointOfAnyShape) {
     const Scene scene = sceneOf(R"({"name": "t", "triangle": {"vertices": [[1, 2, 3], [2, 2, 3], [1, 3, 3]]}},
-                                   {"sphere": {"center": [0, 0, 1], "radius": 1}, "motion": {"orbit": {"around": "t"}}})");
+                                   {"sphere": {"center": [0, 0, 1], "radius": 1},
+                                       "motion": {"orbit": {"around": "t"}}})");
     EXPECT_EQ(pointOf(shapesAt(scene, 9)[1], "center"), glm::dvec3(1, 2, 4));
 }
 

@@ -48,8 +48,8 @@ bool meets(const Picture& picture, glm::dvec3 ray, const ScreenBounds& seen) {
 }
 
 struct Counts {
-    int sky = 0, base = 0, uncommon = 0;  ///< pixels of the partition
-    int emptySeen = 0, commonSeen = 0; ///< pixels that see nothing; nothing uncommon, but something
+    int sky = 0, base = 0, uncommon = 0; ///< pixels of the partition
+    int emptySeen = 0, commonSeen = 0;   ///< pixels that see nothing; nothing uncommon, but something
     int wrong = 0, uncovered = 0, doubled = 0;
 };
 
@@ -138,7 +138,8 @@ TEST(ScreenPartition, OfNothingAreAllSky) {
 }
 
 TEST(ScreenPartition, WithoutBoundsAreWhatMayBeThere) {
-    const ScreenBounds plane{{}, false, false}, rarePlane{{}, false, true}, ball = box({0, 0, 0}, glm::dvec3(0.1), true, true);
+    const ScreenBounds plane{{}, false, false}, rarePlane{{}, false, true},
+        ball = box({0, 0, 0}, glm::dvec3(0.1), true, true);
     const ScreenPartition base = partitionOf(std::vector{plane, ball}, frameOf({}), 160, 120);
     EXPECT_TRUE(base.sky.empty());
     EXPECT_FALSE(base.base.empty());
@@ -148,7 +149,8 @@ TEST(ScreenPartition, WithoutBoundsAreWhatMayBeThere) {
 }
 
 TEST(ScreenPartition, LeaveOutWhatLiesBehindTheEye) {
-    const ScreenPartition partition = partitionOf(std::vector{box({0, 0, 9}, glm::dvec3(2), true, true)}, frameOf({}), 64, 48);
+    const ScreenPartition partition =
+        partitionOf(std::vector{box({0, 0, 9}, glm::dvec3(2), true, true)}, frameOf({}), 64, 48);
     EXPECT_EQ(partition.sky, (std::vector<Rectangle>{{0, 0, 64, 48}}));
 }
 

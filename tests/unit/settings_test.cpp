@@ -288,7 +288,8 @@ TEST(Settings, TakeTheirEarlierKeysAndNamesAndWriteThePresentOnes) {
 
 TEST(Settings, RefuseUnderAnEarlierKeyInThePresentWords) {
     EXPECT_EQ(complaint("direction", "c"), "command line: cone-origin: 'c' is none of surface|light\n");
-    EXPECT_EQ(complaint("parts", "offf"), "command line: variants: 'offf' is none of auto|on|off; did you mean 'off'?\n");
+    EXPECT_EQ(complaint("parts", "offf"),
+              "command line: variants: 'offf' is none of auto|on|off; did you mean 'off'?\n");
     EXPECT_EQ(complaint("directon", "a"),
               "command line: there is no setting 'directon'; did you mean 'cone-origin'?\n");
 }

@@ -27,7 +27,8 @@ std::string problemsOf(std::string_view object) {
 
 std::string sourceOf(const Scene& scene) {
     Problems problems;
-    const std::string text = buildShader("pass/trace.frag", planOf(*prepare(scene), {}, {.blockTexels = 1 << 20}), problems).text;
+    const std::string text =
+        buildShader("pass/trace.frag", planOf(*prepare(scene), {}, {.blockTexels = 1 << 20}), problems).text;
     EXPECT_TRUE(problems.empty()) << toString(problems);
     return text;
 }
@@ -65,7 +66,8 @@ INSTANTIATE_TEST_SUITE_P(All, Solid_, testing::ValuesIn(kSolids),
 
 TEST(Solid, NumbersAreNoSource) {
     const char* form =
-        R"("difference": [{"sphere": {"center": [0, 0, 0], "radius": %s}}, {"box": {"center": [0, %s, 0], "half_size": [1, 1, 1]}}])";
+        R"("difference": [{"sphere": {"center": [0, 0, 0], "radius": %s}}, {"box": {"center": [0, %s, 0],
+             "half_size": [1, 1, 1]}}])";
     const auto object = [&](const char* radius, const char* height) {
         char text[400];
         std::snprintf(text, sizeof text, form, radius, height);
@@ -105,7 +107,8 @@ TEST(Solid, BadOnesAreRefusedWithAReason) {
         std::string::npos);
     EXPECT_NE(
         problemsOf(
-            R"("repetition": {"of": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "period": [3, 0, 0], "count": [2, 2, 1]})")
+            R"("repetition": {"of": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "period": [3, 0, 0],
+                 "count": [2, 2, 1]})")
             .find("period above 0"),
         std::string::npos);
     EXPECT_NE(problemsOf(R"("offset": {"by": 1})").find("missing key \"of\""), std::string::npos);

@@ -1,8 +1,8 @@
 /// The scenes that `gnomon lab trace` measures growth with: what is said of them holds for every number of spheres.
 #include "lab/trace/sphere_scenes.h"
 
-#include "tracer/plan/prepared_scene.h"
 #include "tracer/plan/camera.h"
+#include "tracer/plan/prepared_scene.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@ import { fileURLToPath } from 'node:url';
 
 const root = fileURLToPath(new URL('../..', import.meta.url));
 
-/** Texts by the names of the library's files that they take the place of, as sourceShaders() of lab/reference/textbook/textbook.h. */
+/** Texts by the names of the library's files that they take the place of: sourceShaders() of textbook.h. */
 export async function sourceShaders() {
   const folder = join(root, 'lab/reference/textbook');
   const all = (await readdir(folder, { recursive: true })).filter((name) => name.endsWith('.glsl'));
@@ -64,10 +64,11 @@ function trianglesOf({ center, half_size: half }) {
 function withoutBoxes(object) {
   const { box, ...rest } = object;
   if (!box) return [object];
-  return trianglesOf(box).map((vertices, i) => ({ ...rest, name: rest.name && `${rest.name}-${i}`, triangle: { vertices } }));
+  const nameOf = (i) => rest.name && `${rest.name}-${i}`;
+  return trianglesOf(box).map((vertices, i) => ({ ...rest, name: nameOf(i), triangle: { vertices } }));
 }
 
-/** A scene that comes with the program, as the source modelled it: sourceScene() of lab/reference/textbook/source_scene.h. */
+/** A scene that comes with the program, as S1 modelled it: sourceScene() of source_scene.h. */
 export async function sourceScene(name) {
   const text = await readFile(join(root, 'assets/scenes', `${name}.json`), 'utf8');
   const scene = JSON.parse(text.replace(/^\s*\/\/.*$|(?<=[\],}])\s*\/\/.*$/gm, ''));

@@ -29,9 +29,9 @@ inline constexpr int kGridHeadTexels = 2;
 inline constexpr int kCellListed = 3; ///< objects in one texel of a list
 
 struct GridPlan {
-    glm::ivec3 count{0}; ///< cells along each axis
-    int continued = 0;   ///< texels for lists that go on
-    double iterations = 0;    ///< of the loop in the shader, for a line that meets the grid, on average
+    glm::ivec3 count{0};   ///< cells along each axis
+    int continued = 0;     ///< texels for lists that go on
+    double iterations = 0; ///< of the loop in the shader, for a line that meets the grid, on average
 
     bool operator==(const GridPlan&) const = default;
     int cells() const { return count.x * count.y * count.z; }

@@ -11,8 +11,8 @@ namespace gnomon {
 
 struct ScreenSplit {
     struct Kind {
-        bool shape = false; ///< few pixels meet one, and it is expensive to intersect: a base variant has only its
-                            ///< bounding sphere
+        bool shape = false;  ///< few pixels meet one, and it is expensive to intersect: a base variant has only its
+                             ///< bounding sphere
         bool images = false; ///< few pixels meet one that shows an image: a base variant has none of the images
         bool operator==(const Kind&) const = default;
     };

@@ -32,7 +32,9 @@ void AdaptiveResolution::tookPicture(double seconds) {
     }
 }
 
-void AdaptiveResolution::tookBand(double seconds) { band_ = std::clamp(band_ * std::clamp(kBand / seconds, 0.5, 2.0), 1e-4, 1.0); }
+void AdaptiveResolution::tookBand(double seconds) {
+    band_ = std::clamp(band_ * std::clamp(kBand / seconds, 0.5, 2.0), 1e-4, 1.0);
+}
 
 int AdaptiveResolution::rows(int height) const { return std::clamp(int(std::lround(height * band_)), 1, height); }
 

@@ -37,8 +37,8 @@ Image pictureOf(const FloatImage& values, bool linear) {
 
 } // namespace
 
-bool OutputReader::draw(const Drawing& drawing, const Settings& settings, const View& view, GLenum format,
-                        Frame& frame, const gl::Info& info, Problems& problems) {
+bool OutputReader::draw(const Drawing& drawing, const Settings& settings, const View& view, GLenum format, Frame& frame,
+                        const gl::Info& info, Problems& problems) {
     const auto refuse = [&](const std::string& what, const std::string& remedy) {
         problems.push_back({{}, 0, {}, what, remedy});
         return false;
@@ -79,8 +79,7 @@ FloatImage OutputReader::meanOfBatches(const Drawing& drawing, const View& view,
         batch.samples = std::min(most, all.samples - done);
         FloatImage part = valuesOf(drawing, batch, view, frame, info, problems);
         const float share = float(batch.samples) / float(all.samples);
-        if (sum.pixels.empty())
-            sum = {part.width, part.height, part.channels, std::vector<float>(part.pixels.size())};
+        if (sum.pixels.empty()) sum = {part.width, part.height, part.channels, std::vector<float>(part.pixels.size())};
         for (std::size_t i = 0; i < part.pixels.size(); ++i) sum.pixels[i] += share * part.pixels[i];
     }
     return sum;

@@ -23,7 +23,9 @@ const Image& pictureOr(const Image& standIn, const Pictures& pictures, const std
 
 SceneImages::SceneImages(PreparedScenePtr prepared, int maxSide) : prepared_(std::move(prepared)), maxSide_(maxSide) {}
 
-gl::Texels SceneImages::coding() const { return prepared_->scene.encoding == Encoding::Linear ? gl::Texels::Srgb : gl::Texels::Display; }
+gl::Texels SceneImages::coding() const {
+    return prepared_->scene.encoding == Encoding::Linear ? gl::Texels::Srgb : gl::Texels::Display;
+}
 
 void SceneImages::arrived(const std::string& name) {
     layersStale_ |= prepared_->textureSet.shows(name);
@@ -88,7 +90,8 @@ void SceneImages::uploadSky(const Pictures& pictures) {
 std::optional<Tiles> SceneImages::bind(const Pictures& pictures, Problems& problems) {
     const auto lost = [](const gl::Texture& texture, bool wanted) { return wanted && !texture; };
     std::optional<Tiles> tiles;
-    if (layersStale_ || lost(paints_, !prepared_->textureSet.paints.empty()) || lost(normals_, !prepared_->textureSet.normals.empty()))
+    if (layersStale_ || lost(paints_, !prepared_->textureSet.paints.empty()) ||
+        lost(normals_, !prepared_->textureSet.normals.empty()))
         tiles = uploadLayers(pictures, problems);
     if (!prepared_->skyFaces.empty() && (skyStale_ || !sky_)) uploadSky(pictures);
     layersStale_ = skyStale_ = false;

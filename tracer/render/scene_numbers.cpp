@@ -28,8 +28,7 @@ void SceneNumbers::uploadTexture(std::span<const glm::vec4> texels) {
     // An upload of no rows costs Firefox half a second.
     if (full > 0) glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kDataWidth, full, GL_RGBA, GL_FLOAT, texels.data());
     if (rest > 0)
-        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, full, rest, 1, GL_RGBA, GL_FLOAT,
-                        &texels[std::size_t(full) * kDataWidth]);
+        glTexSubImage2D(GL_TEXTURE_2D, 0, 0, full, rest, 1, GL_RGBA, GL_FLOAT, &texels[std::size_t(full) * kDataWidth]);
 }
 
 } // namespace gnomon

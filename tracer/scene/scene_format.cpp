@@ -270,8 +270,8 @@ const ObjectFormat& sceneFormat() {
          {"title", Text, kTitle, "One line for lists and captions"},
          {"description", Text, kDescription, "What there is to see"},
          {"encoding", Choice, kAny,
-          "linear: colours are linear light and the picture is sRGB-encoded; display: colours are display values as they "
-          "are; default linear",
+          "linear: colours are linear light and the picture is sRGB-encoded; display: colours are display values as "
+          "they are; default linear",
           false, nullptr, {"linear", "display"}},
          {"camera", Object, kAny, "Where the picture is taken from", false, &cameraFormat()},
          {"background", Object, kAny, "What rays see that hit nothing; default black", false, &backgroundFormat()},

@@ -154,7 +154,8 @@ const std::array<ShapeRow, kShapeKinds>& rows() {
           {"power", Number, 1, 0, "Power of the map, 2 to 16; 8 is the known one"},
           {"iterations", Number, 1, 1, "How often points are mapped, 1 to 32: more show finer detail"}},
          checkMandelbulb, mandelbulbExtent, false},
-        {ShapeKind::LargeSphere, "large_sphere", "LargeSphere", 2, {}, nothingWrong, nullptr, true}, // packed by largeSphereOf()
+        // Packed by largeSphereOf().
+        {ShapeKind::LargeSphere, "large_sphere", "LargeSphere", 2, {}, nothingWrong, nullptr, true},
         {ShapeKind::Solid, "solid", "Solid", 1,
          {{"center", Point, 0, 0, "Middle of the ball about it"},
           {"radius", Length, 0, 3, "Radius of that ball"}},

@@ -18,7 +18,20 @@ namespace gnomon {
 
 /// Those that scene files name, and last what they may be drawn as: a huge sphere as a globe, a body of several shapes
 /// and a Mandelbulb, which has only a distance, as a solid.
-enum class ShapeKind { Sphere, Plane, Disc, Triangle, Torus, Box, Cylinder, Capsule, Cone, Mandelbulb, LargeSphere, Solid };
+enum class ShapeKind {
+    Sphere,
+    Plane,
+    Disc,
+    Triangle,
+    Torus,
+    Box,
+    Cylinder,
+    Capsule,
+    Cone,
+    Mandelbulb,
+    LargeSphere,
+    Solid
+};
 inline constexpr int kShapeKinds = 12;
 
 /// Most texels (vec4) the geometry of one shape may take.
@@ -59,7 +72,7 @@ struct ShapeRow {
     std::array<std::string, 2> (*check)(const Shape&);
     /// The smallest box about the shape; null where it has no end, as a plane, or is told otherwise, as a globe.
     Extent (*extent)(const Shape&);
-    bool convex;       ///< the set is, and so are its silhouettes: flat shapes, too
+    bool convex;            ///< the set is, and so are its silhouettes: flat shapes, too
     bool expensive = false; ///< to meet: a ball about it is much cheaper to ask, where few rays come near it
 };
 

@@ -1,9 +1,9 @@
 #include "tracer/shader/shader_builder.h"
 
-#include "tracer/plan/shape_texels.h"
 #include "tracer/shader/condition.h"
 #include "tracer/shader/library.h"
 #include "tracer/shader/scene_constants.h"
+#include "tracer/shader/shader_names.h"
 #include "tracer/shader/solid_source.h"
 
 #include <algorithm>
@@ -17,150 +17,6 @@ namespace gnomon {
 namespace {
 
 std::atomic<int> built = 0;
-
-/// What the directives of the library can ask about.
-struct Names {
-    std::map<std::string, int, std::less<>> values;
-    std::map<std::string, std::vector<std::string>, std::less<>> lists;
-};
-
-/// `LargeSphere` as `large_sphere` or `LARGE_SPHERE`.
-std::string mapped(std::string_view text, int (*change)(int)) {
-    std::string out;
-    for (std::size_t i = 0; i < text.size(); ++i) {
-        const auto isUpper = [&](std::size_t at) { return std::isupper(static_cast<unsigned char>(text[at])) != 0; };
-        if (i > 0 && isUpper(i) && !isUpper(i - 1) && text[i - 1] != '_') out += '_';
-        out += char(change(static_cast<unsigned char>(text[i])));
-    }
-    return out;
-}
-
-/// How rays find the objects of a kind.
-void addSearch(const KindCount& kind, Names& names) {
-    const std::string type = mapped(kind.type(), std::toupper);
-    const bool block = kind.latticeMembers() > 0, searched = block || kind.search != Search::Loop;
-    names.values[type + "_SEARCH"] = int(kind.search);
-    names.values[type + "_SEARCHED"] = searched;
-    names.values[type + "_ALONE"] = kind.count == 1;
-    names.values[type + "_LATTICE"] = block;
-    names.values["SEARCHES"] |= int(searched);
-    names.values["LATTICES"] |= int(block);
-    names.values["UNIFORM_GRIDS"] |= int(kind.search == Search::Grid);
-    names.values["HIERARCHIES"] |= int(kind.search == Search::Hierarchy);
-    constexpr int kPart = 4; // balls that GPUs may hold at once
-    names.lists[type + "_SPHERE_MASK"];
-    for (int i = 0; i < kind.loose() && kind.search == Search::SphereMask; ++i) {
-        const std::string part = std::to_string(i / kPart);
-        if (i % kPart == 0) names.lists[type + "_SPHERE_MASK"].push_back(part);
-        names.lists[type + "_SPHERE_MASK_" + part].push_back(std::to_string(i));
-    }
-}
-
-/// What is known of a kind's shape, and what its casters ask of the shadow models.
-void addShape(const KindCount& kind, Names& names) {
-    const std::string type = mapped(kind.type(), std::toupper);
-    const bool estimates = kind.solid && estimated(*kind.solid);
-    names.values[type + "_IMAGES"] = kind.images;
-    names.values["TRIANGLES"] |= int(kind.kind == ShapeKind::Triangle);
-    names.values[type + "_CONVEX"] = shapeRow(kind.kind).convex;
-    names.values[type + "_BOUNDED"] = shapeRow(kind.kind).extent != nullptr;
-    names.values[type + "_SOLID"] = kind.solid != nullptr;
-    names.values[type + "_ESTIMATED"] = estimates;
-    names.values["ESTIMATED_CASTERS"] |= int(kind.casters > 0 && estimates);
-    names.values["MARCHED_CASTERS"] |= int(kind.casters > 0 && kind.solid && !estimates);
-}
-
-/// How distances find the object of a kind that is nearest to a point. Boxes leave out nothing where a shape's distance
-/// is exact: an estimate may be less than that of the box about it.
-void addNearest(const KindCount& kind, Names& names) {
-    const std::string type = mapped(kind.type(), std::toupper);
-    const bool lattice = kind.latticeMembers() > 0, spheres = lattice && kind.kind == ShapeKind::Sphere;
-    const bool exact = !kind.solid && kind.kind != ShapeKind::Mandelbulb;
-    const bool nearby = kind.search == Search::Hierarchy && exact && (spheres || !lattice);
-    names.values[type + "_SPHERE_LATTICE"] = spheres;
-    names.values[type + "_NEARBY"] = nearby;
-    names.values["SPHERE_LATTICES"] |= int(spheres && kind.casters > 0);
-    names.values["NEARBY"] |= int(nearby && kind.casters > 0);
-}
-
-Names namesOf(const Plan& plan) {
-    const SceneFeatures& f = plan.scene;
-    Names names;
-    names.values = {
-        {"REFLECTION", f.reflection},
-        {"REFRACTION", f.refraction},
-        {"COATS", f.coats},
-        {"PAINTS", f.paints},
-        {"NORMAL_MAPS", f.normalMaps},
-        {"IMAGES", f.paints + f.normalMaps},
-        {"CUBEMAP", f.cubemap},
-        {"LINEAR", f.linear},
-        {"LIGHTS", f.lights},
-        {"GLOWS", f.glows},
-        {"DATA_BLOCK", f.dataBlock},
-        {"ITERATIONS_COUNTED", plan.target.iterationsCounted},
-        {"PRELOADS", plan.target.preloads},
-        {"CACHED_LOADS", plan.target.cachedLoads},
-        {"FALLBACK", plan.split.fallback},
-        {"TILES", plan.split.tile > 0},
-        {"FLOAT_TARGETS", plan.target.floatTargets},
-        {"COVERAGE_MASK", plan.split.coverageMask},
-        {"SHADOWS", f.shadows != ShadowModel::Off},
-        {"SHADOW_RAYS", shadowRow(f.shadows).rays},
-        {"SHADOWS_IN_TREE", f.shadows == ShadowModel::Hard},
-        {"DISTANCES", f.distances},
-        {"COVERS", f.shadows == ShadowModel::Silhouette},
-        {"FROM_LIGHT", f.fromLight},
-        {"MARCH", int(f.march)},
-        {"MARCH_STEPS", int(March::Steps)},
-        {"MARCH_SPHERE", int(March::Sphere)},
-        {"MARCH_CONE", int(March::Cone)},
-        {"MARCH_RELAXED", int(March::Relaxed)},
-        {"OUTPUT", int(f.output)},
-        {"COLOR", int(Aov::Color)},
-        {"DISTANCE", int(Aov::Distance)},
-        {"POSITION", int(Aov::Position)},
-        {"NORMAL", int(Aov::Normal)},
-        {"OBJECT", int(Aov::Object)},
-        {"VISIBILITY", int(Aov::Visibility)},
-        {"WORK", int(Aov::Work)},
-        {"STEPS", int(Aov::Steps)},
-        {"HIERARCHY", int(Search::Hierarchy)},
-        {"GRID", int(Search::Grid)},
-    };
-    // Of any kind: none in a program that is left with no kind to ask.
-    for (const char* name : {"SEARCHES", "LATTICES", "UNIFORM_GRIDS", "HIERARCHIES", "ESTIMATED_CASTERS",
-                             "MARCHED_CASTERS", "SPHERE_LATTICES", "NEARBY", "TRIANGLES"})
-        names.values[name] = 0;
-    // Solids have shapes for parts that the scene has no object of.
-    for (const ShapeRow& row : shapeTable()) names.values[mapped(glslTypeOf(row.kind), std::toupper) + "_IMAGES"] = 0;
-    auto& shapes = names.lists["SHAPES"];
-    auto& casters = names.lists["CASTERS"];
-    auto& uncommon = names.lists["UNCOMMON"];
-    for (std::size_t k = 0; k < f.shapes.size(); ++k) {
-        const KindCount& kind = f.shapes[k];
-        if (plan.split.fallback && plan.split.kind(k).shape) {
-            uncommon.push_back(kind.type());
-            continue;
-        }
-        shapes.push_back(kind.type());
-        if (kind.casters > 0) casters.push_back(kind.type());
-        addShape(kind, names);
-        addSearch(kind, names);
-        addNearest(kind, names);
-    }
-    std::string model(shadowRow(f.shadows).key);
-    std::replace(model.begin(), model.end(), '-', '_');
-    names.lists["SHADOW_MODEL"] = {model};
-    const auto count = [&](const char* list, int end) {
-        auto& numbers = names.lists[list];
-        for (int i = 0; i < end; ++i) numbers.push_back(std::to_string(i));
-    };
-    count("PAINT_LAYERS", f.paints);
-    count("NORMAL_LAYERS", f.normalMaps);
-    count("LIGHT_NUMBERS", f.lights);
-    return names;
-}
 
 /// A word in the three spellings `$Word`, `$word`, `$WORD` can ask for.
 struct Substitution {

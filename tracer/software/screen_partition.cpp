@@ -70,8 +70,9 @@ class Sorter {
         const auto planes = planesOf(pixels(part));
         for (const int i : candidates)
             if (mayShow(planes, bodies_[std::size_t(i)])) seen.push_back(i);
-        const bool uncommon = everywhere_ == Shows::Uncommon ||
-                          std::any_of(seen.begin(), seen.end(), [&](int i) { return bodies_[std::size_t(i)].uncommon; });
+        const bool uncommon = everywhere_ == Shows::Uncommon || std::any_of(seen.begin(), seen.end(), [&](int i) {
+                                  return bodies_[std::size_t(i)].uncommon;
+                              });
         if (seen.empty() || (part.width == 1 && part.height == 1)) {
             const Shows shows = uncommon ? Shows::Uncommon : seen.empty() ? everywhere_ : Shows::Base;
             for (int y = part.y; y < part.y + part.height; ++y)

@@ -41,9 +41,7 @@ void drawTiles(const CachedProgram& program, int tile, const gl::Target& target,
     glDrawArrays(GL_POINTS, 3 + first * columns, (end - first) * columns);
 }
 
-bool isReady(const std::shared_ptr<CachedProgram>& program) {
-    return program && program->state == CompileState::Ready;
-}
+bool isReady(const std::shared_ptr<CachedProgram>& program) { return program && program->state == CompileState::Ready; }
 
 } // namespace
 

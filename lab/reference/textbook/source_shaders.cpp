@@ -1,5 +1,5 @@
-#include "lab/reference/textbook/textbook.h"
 #include "lab/reference/textbook/source_tracing.h"
+#include "lab/reference/textbook/textbook.h"
 
 #include <algorithm>
 #include <iterator>

@@ -42,7 +42,8 @@ bool intersectCapsule(Capsule capsule, Ray ray, float side, inout float t) {
     float r2 = capsule.radius * capsule.radius;
     float least = max(ray.tMin, 1e-4);
     float before = t;
-    capsuleRoots(dot(dAcross, dAcross), dot(oAcross, dAcross), dot(oAcross, oAcross) - r2, oAlong, dAlong, 0.0, capsule.height,
+    capsuleRoots(dot(dAcross, dAcross), dot(oAcross, dAcross), dot(oAcross, oAcross) - r2, oAlong, dAlong, 0.0,
+        capsule.height,
                  least, t);
     capsuleRoots(dot(d, d), dot(o, d), dot(o, o) - r2, oAlong, dAlong, -1e30, 0.0, least, t);
     capsuleRoots(dot(d, d), dot(top, d), dot(top, top) - r2, oAlong, dAlong, capsule.height, 1e30, least, t);

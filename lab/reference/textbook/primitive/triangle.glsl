@@ -15,7 +15,8 @@ Triangle loadTriangle(int at) {
 // As ours: a fan of many triangles is searched alike, and only the intersectors differ.
 vec4 ballTriangle(Triangle triangle) {
     vec3 middle = (triangle.a + triangle.b + triangle.c) / 3.0;
-    return vec4(middle, max(max(distance(middle, triangle.a), distance(middle, triangle.b)), distance(middle, triangle.c)));
+    return vec4(middle, max(max(distance(middle, triangle.a), distance(middle, triangle.b)),
+        distance(middle, triangle.c)));
 }
 
 bool intersectTriangle(Triangle triangle, Ray ray, float side, inout float t) {

@@ -55,7 +55,8 @@ Coating coatingAt(Material material, vec2 uv) {
     }
 #endfor
 #for Layer in NORMAL_LAYERS
-    if (material.normalMap == $Layer) coating.bump = (texture(normals, vec3(normalAt, $Layer.0)).rgb * 255.0 - 128.0) / 127.0;
+    if (material.normalMap == $Layer)
+        coating.bump = (texture(normals, vec3(normalAt, $Layer.0)).rgb * 255.0 - 128.0) / 127.0;
 #endfor
     return coating;
 }

@@ -39,7 +39,8 @@ int nearestHit(Ray ray, out float t) {
 
 Surface surfaceAt(int object, Ray ray, float t) {
 #for Shape in SHAPES
-    if (object < k$ShapeEnd) return surface$Shape(load$Shape(k$ShapeBase + (object - k$ShapeFirst) * k$ShapeTexels), ray, t);
+    if (object < k$ShapeEnd)
+        return surface$Shape(load$Shape(k$ShapeBase + (object - k$ShapeFirst) * k$ShapeTexels), ray, t);
 #endfor
     return bareSurface(vec3(0.0), vec3(0.0), 0.0);
 }
