@@ -1,6 +1,6 @@
 // Searches for the objects of a kind that a ray may meet: those of its lattice by walking from cell to cell, the others
 // by a bounding-sphere mask, a hierarchy of boxes, or a uniform grid. Which a kind has is chosen by
-// tracer/plan/features.h.
+// tracer/plan/search_choice.h.
 //
 // start  begins the search of a ray
 // next   number of the next object in its kind that the ray may meet nearer than `t`, -1 at the end; each comes once,

@@ -17,7 +17,7 @@ struct Ray {
 // normal     geometric, unit, outward (planar shapes: the side of the stated normal or winding)
 // uv         texture coordinates, and uvPerUnit: how much of them one scene unit covers
 // tangent    unit, towards +u; with the normal it gives the frame of normal maps
-// curvature  1 / radius of the surface, 0 where it is flat; how much a reflected pencil of rays spreads
+// curvature  1 / radius of the surface, 0 where it is flat; how much a reflected ray cone spreads
 struct Surface {
     vec3 point;
     vec3 normal;

@@ -1,10 +1,10 @@
 // Images on surfaces: paints, colour with the mask of a coat as alpha, and normals, each in the layers of one array
 // that tracer/layers.h lays out. One sample for each purpose, whichever image a pixel wants: drivers for wide SIMD
-// fetch at every place that a function has. The level of detail is explicit, from the width of the ray's pencil: no
+// fetch at every place that a function has. The level of detail is explicit, from the width of the ray cone: no
 // gradients, which are undefined in loops and differ between drivers.
 //
 // samplePaint, sampleNormal   `uv` in units of the layer, on which the material places its image's tile
-// reach                       how much of uv the pencil covers
+// reach                       how much of uv the ray cone covers
 float detailLevel(ivec2 size, vec2 reach) {
     vec2 texels = abs(reach) * vec2(size);
     return log2(max(max(texels.x, texels.y), 1.0));

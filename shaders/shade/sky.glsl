@@ -1,6 +1,6 @@
 // What a ray sees that hits nothing: a cube map far away, or one colour.
 //
-// spread  angle in radians that the ray's pencil covers: chooses the level of detail
+// spread  angle in radians that the ray cone covers: chooses the level of detail
 #if CUBEMAP
 uniform samplerCube sky;
 

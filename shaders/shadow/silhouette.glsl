@@ -69,10 +69,10 @@ bool counts$Shape(int index, int self, LightCone cone) {
 
 // Those of 32 casters.
 uint in$Shape(int first, int end, int self, LightCone cone) {
-    uint sieve = 0u;
+    uint mask = 0u;
     for (int i = 0; i < min(end - first, 32); ++i)
-        if (counts$Shape(first + i, self, cone)) sieve |= 1u << uint(i);
-    return sieve;
+        if (counts$Shape(first + i, self, cone)) mask |= 1u << uint(i);
+    return mask;
 }
 #endif
 #endfor
@@ -108,10 +108,10 @@ float visibility(ShadowQuery query) {
     const int first$Shape = 0;
 #endif
     for (int first = first$Shape; first < kMasked$Shape; first += 32) {
-        uint sieve = in$Shape(first, kMasked$Shape, self$Shape, cone);
-        for (int i = 0; i < 32 && sieve != 0u; ++i) {
-            int index = lowestBit(sieve);
-            sieve &= sieve - 1u;
+        uint mask = in$Shape(first, kMasked$Shape, self$Shape, cone);
+        for (int i = 0; i < 32 && mask != 0u; ++i) {
+            int index = lowestBit(mask);
+            mask &= mask - 1u;
             hide$Shape(first + index, query, cone, shade);
         }
     }

@@ -1,6 +1,6 @@
 // All that exists only for software rasterisers, llvmpipe and SwiftShader, lies in this folder. The library's other
-// files call it in the places below, one line each; with its feature off (tracer/plan/features.h) each call is what a
-// GPU would be given anyway.
+// files call it in the places below, one line each; with its feature off (tracer/plan/codegen_target.h) each call is
+// what a GPU would be given anyway.
 //
 // beforePixel, afterPixel   pass/trace.frag                     PRELOADS, CACHED_LOADS, FALLBACK
 // objectTYPE                ray/nearest.glsl                    CACHED_LOADS: cached_loads.glsl

@@ -1,5 +1,5 @@
-/// Searches change how fast a picture comes, and nothing else: with hierarchies, sieves, blocks and cells and without
-/// them every float of it is the same.
+/// Searches change how fast a picture comes, and nothing else: with hierarchies, bounding-sphere masks, lattices and
+/// grids and without them every float of it is the same.
 ///
 /// Not so by luck: a walk loses no hit that a shape's own rounding may find (shaders/accel/hierarchy.glsl), and of
 /// objects at one distance both ways meet the one with the lowest number.

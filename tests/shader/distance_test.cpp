@@ -149,7 +149,7 @@ struct Errors {
     Real distance = 0, gradient = 0, unit = 0, steep = 0;
 
     /// `stiff`: by how many roundings those of the shape's own numbers turn the gradient.
-    void judge(const Exact& exact, const Point& p, Real scale, const glm::vec4& answer, Real stiff) {
+    void compare(const Exact& exact, const Point& p, Real scale, const glm::vec4& answer, Real stiff) {
         constexpr Real kReach = 8;
         ++points;
         const Point got{glm::dvec3(answer)};
@@ -203,7 +203,7 @@ Errors errorsOf(const Shape& shape, const std::vector<BatchPoint>& points, const
         const bool behind = body.kind() == ShapeKind::Plane && body.distance(relative(points[i].from)) < 0;
         const Exact exact = [&](const Point& q) { return behind ? -body.distance(q) : body.boundedDistance(q); };
         const Real scale = length(p) + body.size();
-        errors.judge(exact, p, scale, glm::vec4(answers[i].gradient, answers[i].distance), stiff);
+        errors.compare(exact, p, scale, glm::vec4(answers[i].gradient, answers[i].distance), stiff);
         if (i > 0) // of a plane without the sign, which the viewpoints choose
             errors.compare(p, relative(points[i - 1].p), unsignedOfPlane(body, answers[i].distance),
                            unsignedOfPlane(body, answers[i - 1].distance), scale + scaleBefore);
@@ -279,7 +279,7 @@ const Mutant kMutants[] = {
 
 class DistanceMutant : public testing::TestWithParam<Mutant> {};
 
-// The judge itself: the library's distance passes on 9000 points, the same with one line changed does not.
+// The comparison itself: the library's distance passes on 9000 points, the same with one line changed does not.
 TEST_P(DistanceMutant, TurnsTheJudgeRed) {
     const Mutant& mutant = GetParam();
     offscreen();
@@ -369,10 +369,11 @@ TEST_P(LargeSphereDistance, IsTheOraclesNearItsAnchorAndFarFromIt) {
         const Real turn = kRounding * (1 + (ground.radius + away) / length(fromCenter));
         worst(gradient, length(got - unit(fromCenter)) / turn);
     }
-    std::printf("globe r %g: %zu points; distance %.2Lf of 2^-23 D (1 + D / 2r), within 10 of the anchor %.2Lg at "
-                "most; gradient "
-                "%.2Lf and its length %.2Lf roundings\n",
-                GetParam(), points.size(), distance, near, gradient, unitLength);
+    std::printf(
+        "large sphere r %g: %zu points; distance %.2Lf of 2^-23 D (1 + D / 2r), within 10 of the anchor %.2Lg at "
+        "most; gradient "
+        "%.2Lf and its length %.2Lf roundings\n",
+        GetParam(), points.size(), distance, near, gradient, unitLength);
     const Bounds bounds = boundsOf(ShapeKind::LargeSphere);
     EXPECT_LE(distance, bounds.distance);
     EXPECT_LE(near, 10 * bounds.distance * kRounding);

@@ -212,7 +212,7 @@ const Mutant kMutants[] = {
 
 class IntersectMutant : public testing::TestWithParam<Mutant> {};
 
-// The judge itself: the library's intersector passes on 20 000 rays, the same with one line changed does not.
+// The comparison itself: the library's intersector passes on 20 000 rays, the same with one line changed does not.
 TEST_P(IntersectMutant, TurnsTheJudgeRed) {
     const Mutant& mutant = GetParam();
     ASSERT_NO_FATAL_FAILURE(chooseGl());

@@ -142,16 +142,16 @@ TEST(LargeSpherePicture, IsThatOfTheSphere) {
         const Scene near = scene("[0.1, 0.2, 1.301]", optics), far = scene("[1, 2, 3]", optics);
         ASSERT_EQ(drawnKinds(near)[0], ShapeKind::LargeSphere);
         ASSERT_EQ(drawnKinds(far)[0], ShapeKind::Sphere);
-        const FloatImage globe = outputOf(near, settings, Aov::Color), sphere = outputOf(far, settings, Aov::Color);
+        const FloatImage large = outputOf(near, settings, Aov::Color), sphere = outputOf(far, settings, Aov::Color);
         double worst = 0, sum = 0;
-        for (std::size_t i = 0; i < globe.pixels.size(); ++i) {
-            const double difference = std::abs(double(globe.pixels[i]) - sphere.pixels[i]);
+        for (std::size_t i = 0; i < large.pixels.size(); ++i) {
+            const double difference = std::abs(double(large.pixels[i]) - sphere.pixels[i]);
             worst = std::max(worst, difference);
             sum += difference;
         }
-        std::printf("%s: worst difference %.2g, mean %.2g\n", optics, worst, sum / double(globe.pixels.size()));
+        std::printf("%s: worst difference %.2g, mean %.2g\n", optics, worst, sum / double(large.pixels.size()));
         EXPECT_LE(worst, std::string(optics).find("texture") == std::string::npos ? 1e-4 : 0.01) << optics;
-        EXPECT_LE(sum / double(globe.pixels.size()), 1e-4) << optics;
+        EXPECT_LE(sum / double(large.pixels.size()), 1e-4) << optics;
     }
 }
 

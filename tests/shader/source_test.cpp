@@ -2,7 +2,7 @@
 /// it the plain way.
 ///
 /// Its pictures are not ours to the last bit. Its level of detail comes from neighbouring pixels instead of the ray's
-/// pencil, so that stars and the lines of the ground are smoothed otherwise, and where two pixels of a quad see
+/// ray cone, so that stars and the lines of the ground are smoothed otherwise, and where two pixels of a quad see
 /// different things it is wrong; inside of glass it follows no partial reflections; its rays start 1e-3 off every
 /// surface.
 

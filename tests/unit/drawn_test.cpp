@@ -1,5 +1,5 @@
-// What shapes are drawn as, and when anew: which spheres are huge, what moves, and that a globe's float32 numbers mean
-// the scene's sphere.
+// What shapes are drawn as, and when anew: which spheres are huge, what moves, and that a large sphere's float32
+// numbers mean the scene's sphere.
 #include "tests/support/scenes.h"
 #include "tracer/plan/scene_offsets.h"
 #include "tracer/plan/scene_packer.h"
@@ -88,7 +88,7 @@ TEST(Drawn, DoesNotChangeWithTime) {
     const auto now = packScene(prepared, plan, 0), later = packScene(prepared, plan, 1.5707963);
     EXPECT_EQ(now.size(), later.size());
     EXPECT_EQ(int(now.size()), sceneTexels(plan.scene));
-    EXPECT_NEAR(now[1].y, 0, 0.01) << "sphere first, then the globe's anchor: its top, under the eye";
+    EXPECT_NEAR(now[1].y, 0, 0.01) << "sphere first, then the large sphere's anchor: its top, under the eye";
     EXPECT_NEAR(later[1].y, 1e5 - 51 - 51, 0.01) << "its lowest point, now over the eye";
 }
 
@@ -102,10 +102,10 @@ TEST(Drawn, LeavesTheGlowOfALargeSphereAtItsCentre) {
     EXPECT_EQ(texels[texels.size() - 2], glm::vec4(0, -5100, 0, Glow{}.strength));
 }
 
-/// The surface of a packed globe, as the shader's float32 numbers have it, above (p): curvature p·p / 2 + normal·p +
-/// height.
-double above(const Shape& globe, glm::dvec3 p) {
-    const glm::vec4 a(globe.texels[0]), b(globe.texels[1]); // rounded as in packScene()
+/// The surface of a packed large sphere, as the shader's float32 numbers have it, above (p): curvature p·p / 2 +
+/// normal·p + height.
+double above(const Shape& large, glm::dvec3 p) {
+    const glm::vec4 a(large.texels[0]), b(large.texels[1]); // rounded as in packScene()
     const glm::dvec3 local = p - glm::dvec3(a.x, a.y, a.z);
     return double(a.w) * glm::dot(local, local) / 2 + glm::dot(glm::dvec3(b.x, b.y, b.z), local) + double(b.w);
 }
@@ -118,14 +118,14 @@ TEST(LargeSphere, MeansTheScenesSphereWithinTheRoundingOfItsNormal) {
         const glm::dvec3 along = glm::normalize(glm::cross(up, glm::dvec3(0, 0, 1)));
         const glm::dvec3 center = glm::dvec3(0.1234567, -0.2345678, 0.3456789) - radius * up;
         const Shape sphere{ShapeKind::Sphere, {glm::dvec4(center, radius), glm::dvec4(0), glm::dvec4(0)}};
-        const Shape globe = drawnAs(ShapeKind::LargeSphere, sphere, center + (radius + 1) * up);
-        EXPECT_EQ(globe.kind, ShapeKind::LargeSphere);
-        const glm::dvec3 anchor(globe.texels[0]);
+        const Shape large = drawnAs(ShapeKind::LargeSphere, sphere, center + (radius + 1) * up);
+        EXPECT_EQ(large.kind, ShapeKind::LargeSphere);
+        const glm::dvec3 anchor(large.texels[0]);
         EXPECT_NEAR(glm::distance(anchor, center + radius * up), 0, 1e-7);
         for (double angle : {0.0, 1e-6, 1e-4, 1e-2, 0.5, 1.5, 3.0}) {
             const glm::dvec3 p = center + radius * (std::cos(angle) * up + std::sin(angle) * along);
             const double resolution = 4e-16 * radius; // of this test's own doubles
-            EXPECT_LE(std::abs(above(globe, p)), std::ldexp(glm::distance(p, anchor), -23) + resolution)
+            EXPECT_LE(std::abs(above(large, p)), std::ldexp(glm::distance(p, anchor), -23) + resolution)
                 << radius << ' ' << angle;
         }
     }
@@ -133,9 +133,9 @@ TEST(LargeSphere, MeansTheScenesSphereWithinTheRoundingOfItsNormal) {
 
 TEST(LargeSphere, HasAnAnchorAlsoForAnEyeAtItsCentre) {
     const Shape sphere{ShapeKind::Sphere, {glm::dvec4(1, 2, 3, 10), glm::dvec4(0), glm::dvec4(0)}};
-    const Shape globe = drawnAs(ShapeKind::LargeSphere, sphere, {1, 2, 3});
-    EXPECT_EQ(glm::dvec3(globe.texels[0]), glm::dvec3(1, 12, 3));
-    EXPECT_EQ(glm::dvec3(globe.texels[1]), glm::dvec3(0, 1, 0));
+    const Shape large = drawnAs(ShapeKind::LargeSphere, sphere, {1, 2, 3});
+    EXPECT_EQ(glm::dvec3(large.texels[0]), glm::dvec3(1, 12, 3));
+    EXPECT_EQ(glm::dvec3(large.texels[1]), glm::dvec3(0, 1, 0));
 }
 
 TEST(Drawn, LeavesEveryOtherShapeAsItIs) {

@@ -204,7 +204,7 @@ std::string list(std::initializer_list<const char*> objects) {
     return text;
 }
 
-// A ground that is a globe or a plane says nothing of where the scene is, nor does the number of objects.
+// A ground that is a large sphere or a plane says nothing of where the scene is, nor does the number of objects.
 TEST(Origin, IsNearTheSceneWhereverItIs) {
     for (const glm::dvec3 by : {glm::dvec3(1e5, -1e5, 1e5), glm::dvec3(1e6, 0, 0), glm::dvec3(-123456.7, 89012.3, 1)})
         for (const std::string& objects :

@@ -43,7 +43,7 @@ for (const name of browserNames)
           new Uint8Array(answers.buffer, answers.byteOffset, answers.byteLength),
         );
       }
-      const { status, stdout } = spawnSync(corpus, ['judge', folder], { encoding: 'utf8' });
+      const { status, stdout } = spawnSync(corpus, ['compare', folder], { encoding: 'utf8' });
       console.log(stdout.replace(/^/gm, `# ${name}: `));
       assert.equal(status, 0, stdout);
     });

@@ -1,7 +1,7 @@
-/// Rays for a GL that only a browser reaches, and the judge of what it answers.
+/// Rays for a GL that only a browser reaches, and the comparison of what it answers with the oracle.
 ///
 ///   ray_corpus ask FOLDER RAYS    per body and placing N.json, a scene, and N.rays: RAYS a class of rays and distance
-///   ray_corpus judge FOLDER       N.answers against the oracle; exit 1 where a bound does not hold
+///   ray_corpus compare FOLDER       N.answers against the oracle; exit 1 where a bound does not hold
 /// A ray is 8 float32 (origin, side, direction, tMin), an answer 8 (object, t, point, normal): as traceRays() has them.
 
 #include "lab/intersect/compare_hit.h"
@@ -114,7 +114,7 @@ std::vector<Entry> readAll(const Path& file) {
 /// What is no small whole number is an object that no scene has.
 int objectIn(float n) { return n >= -1 && n < 1000 && n == std::floor(n) ? int(n) : 1000; }
 
-bool judgeSet(const Set& set, const Path& name) {
+bool compareSet(const Set& set, const Path& name) {
     using Eight = std::array<float, 8>;
     const Shape shape = shapeIn(name.string() + ".json");
     std::vector<BatchRay> rays;
@@ -139,10 +139,10 @@ bool judgeSet(const Set& set, const Path& name) {
     return holds;
 }
 
-int judgeFolder(const Path& folder) {
+int compareFolder(const Path& folder) {
     const std::vector<Set> sets = allSets();
     bool holds = true;
-    for (std::size_t i = 0; i < sets.size(); ++i) holds &= judgeSet(sets[i], folder / std::to_string(i));
+    for (std::size_t i = 0; i < sets.size(); ++i) holds &= compareSet(sets[i], folder / std::to_string(i));
     return holds ? 0 : 1;
 }
 
@@ -152,7 +152,7 @@ int judgeFolder(const Path& folder) {
 int main(int argc, char** argv) {
     const std::string what = argc > 1 ? argv[1] : "";
     if (what == "ask" && argc == 4) return gnomon::oracle::ask(argv[2], std::atoi(argv[3]));
-    if (what == "judge" && argc == 3) return gnomon::oracle::judgeFolder(argv[2]);
-    std::fprintf(stderr, "usage: ray_corpus ask FOLDER RAYS | ray_corpus judge FOLDER\n");
+    if (what == "compare" && argc == 3) return gnomon::oracle::compareFolder(argv[2]);
+    std::fprintf(stderr, "usage: ray_corpus ask FOLDER RAYS | ray_corpus compare FOLDER\n");
     return 2;
 }

@@ -12,7 +12,7 @@ const root = fileURLToPath(new URL('../..', import.meta.url));
 export async function sourceShaders() {
   const folder = join(root, 'lab/reference/textbook');
   const all = (await readdir(folder, { recursive: true })).filter((name) => name.endsWith('.glsl'));
-  const named = (name) => (name.startsWith('source') ? relative('source', name) : `primitive/${name}`);
+  const named = (name) => (name.startsWith('source') ? relative('source', name) : name);
   const read = async (name) => [named(name), await readFile(join(folder, name), 'utf8')];
   return Object.fromEntries(await Promise.all(all.map(read)));
 }

@@ -32,7 +32,7 @@ inline double halfArea(const Bounds& box) {
     return side.x * side.y + side.y * side.z + side.z * side.x;
 }
 
-/// None for what has no end: planes, globes.
+/// None for what has no end: planes, large spheres.
 std::optional<Bounds> boundsOf(const Shape&);
 
 } // namespace gnomon

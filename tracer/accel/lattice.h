@@ -1,4 +1,4 @@
-/// Regular blocks of objects: equal ones at the points of a lattice along the axes, as the spheres of a rack.
+/// Lattices of objects: equal ones at the points of a grid along the axes.
 ///
 /// A ray finds them by walking from cell to cell (shaders/accel/lattice.glsl): no box is read on the way, and their
 /// number changes nothing but the way.

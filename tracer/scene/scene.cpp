@@ -68,7 +68,7 @@ std::vector<Shape> placed(const Scene& scene, Swing swing) {
     return shapes;
 }
 
-/// All that bounded objects, globes aside, ever touch; empty, with a reach of -infinity, where there are none.
+/// All that bounded objects, large spheres aside, ever touch; empty, with a reach of -infinity, where there are none.
 Box bounded(const Scene& scene) {
     Box box;
     const std::vector<ShapeKind> kinds = drawnKinds(scene);

@@ -111,11 +111,11 @@ std::vector<Shape> shapesAt(const Scene&, double time);
 /// Whether anything in the picture changes with time: an object that moves, or an image on one.
 bool changesWithTime(const Scene&);
 
-/// The kind that the shader draws each object as: a sphere that is huge for its scene as a globe, all else as what it
-/// is. Huge is a radius above 100 times the size of some object of the scene, or the height of the scene's camera above
-/// that sphere. Up to there the float32 of a sphere, 2^-22 of its radius, is less than 3e-5 of the least thing to be
-/// seen on it. Nothing that moves from frame to frame counts, so that moving never recompiles; nor does the scene's
-/// unit.
+/// The kind that the shader draws each object as: a sphere that is huge for its scene as a large sphere, all else as
+/// what it is. Huge is a radius above 100 times the size of some object of the scene, or the height of the scene's
+/// camera above that sphere. Up to there the float32 of a sphere, 2^-22 of its radius, is less than 3e-5 of the least
+/// thing to be seen on it. Nothing that moves from frame to frame counts, so that moving never recompiles; nor does the
+/// scene's unit.
 std::vector<ShapeKind> drawnKinds(const Scene&);
 
 /// What the shader's coordinates are relative to: 0 for a scene about the world's origin, else a point near the scene,

@@ -16,8 +16,8 @@
 
 namespace gnomon {
 
-/// Those that scene files name, and last what they may be drawn as: a huge sphere as a globe, a body of several shapes
-/// and a Mandelbulb, which has only a distance, as a solid.
+/// Those that scene files name, and last what they may be drawn as: a huge sphere as a large sphere, a body of several
+/// shapes and a Mandelbulb, which has only a distance, as a solid.
 enum class ShapeKind {
     Sphere,
     Plane,
@@ -70,7 +70,7 @@ struct ShapeRow {
     std::vector<ShapeField> fields; ///< all required
     /// What is wrong with a shape whose fields are each right; {} where nothing is. {what, remedy}
     std::array<std::string, 2> (*check)(const Shape&);
-    /// The smallest box about the shape; null where it has no end, as a plane, or is told otherwise, as a globe.
+    /// The smallest box about the shape; null where it has no end, as a plane, or is told otherwise, as a large sphere.
     Extent (*extent)(const Shape&);
     bool convex;            ///< the set is, and so are its silhouettes: flat shapes, too
     bool expensive = false; ///< to meet: a ball about it is much cheaper to ask, where few rays come near it
@@ -100,9 +100,9 @@ glm::dvec3 referencePoint(const Shape&);
 /// The longest of a shape's lengths and of the distances between its points; infinite where it has neither: a plane.
 double sizeOf(const Shape&);
 
-/// A shape as the shader reads it where it is drawn as `kind`: itself, or a sphere as a globe. A globe is told from its
-/// point nearest to `eye`, where the picture is taken from: its errors grow with the distance from there, as what they
-/// look like shrinks.
+/// A shape as the shader reads it where it is drawn as `kind`: itself, or a sphere as a large sphere. A large sphere is
+/// told from its point nearest to `eye`, where the picture is taken from: its errors grow with the distance from there,
+/// as what they look like shrinks.
 Shape drawnAs(ShapeKind kind, const Shape&, glm::dvec3 eye);
 
 /// The shape moved by `by`: every point and vertex of it.

@@ -5,7 +5,7 @@
 
 namespace gnomon {
 
-/// Sorted by name, as `ray/tree.glsl`.
+/// Sorted by name, as `integrator/whitted.glsl`.
 std::span<const ShaderFile> sourceTracing();
 
 } // namespace gnomon
