@@ -174,6 +174,11 @@ TEST(Contradiction, IsToldOfTheSplit) {
                   p.split.tile = 2;
               }),
               "tiles of the base variant");
+    EXPECT_EQ(withChange([](Plan& p) {
+                  p.split.on = p.split.refraction = p.split.coverageMask = true;
+                  p.split.tile = 2;
+              }),
+              "a variant that both marks and reads the coverage mask");
 }
 
 TEST(Contradiction, IsAProblemOfTheShaderThatWouldBeBuilt) {
