@@ -1,18 +1,9 @@
-// One pixel from the linear picture (pass/linear_picture.glsl) as it is shown, or as it is read back: the last of the
-// passes.
+// One pixel of the linear picture as it is shown, or as it is read back: the last of the full-screen passes.
 //
-// picture        the linear picture, of the size of what is drawn
 // frame.encode   1: shown, each output made visible in [0, 1]; 0: its values as docs/outputs.md tells them
 #include "frame.glsl"
+#include "pass/linear_input.glsl"
 #include "shade/encode.glsl"
-
-#if FLOAT_TARGETS
-uniform sampler2D picture;
-vec4 loadLinear(ivec2 at) { return texelFetch(picture, at, 0); }
-#else
-uniform highp usampler2D picture;
-vec4 loadLinear(ivec2 at) { return uintBitsToFloat(texelFetch(picture, at, 0)); }
-#endif
 
 layout(location = 0) out vec4 outColor;
 
@@ -49,6 +40,6 @@ vec3 shown(vec4 linear) { return linear.rgb; }
 #endif
 
 void main() {
-    vec4 linear = loadLinear(ivec2(gl_FragCoord.xy));
+    vec4 linear = loadLinear(gl_FragCoord.xy);
     outColor = vec4(frame.encode == 1 ? shown(linear) : valueOf(linear), 1.0);
 }

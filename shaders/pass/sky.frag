@@ -4,7 +4,8 @@
 #include "scene.glsl"
 #include "ray/ray.glsl"
 #include "ray/primary.glsl"
-#include "pass/linear_picture.glsl"
+#include "pass/linear_output.glsl"
+#include "software/coverage_mask.glsl"
 #include "shade/sky.glsl"
 #if GLOWS
 #include "shade/glow.glsl"
@@ -17,4 +18,5 @@ void main() {
     color = glowAlong(ray, kFar) + color;
 #endif
     store(vec4(color, 1.0));
+    markCovered();
 }

@@ -8,7 +8,8 @@
 #include "sdf/count.glsl"
 #endif
 #include "ray/primary.glsl"
-#include "pass/linear_picture.glsl"
+#include "pass/linear_output.glsl"
+#include "software/coverage_mask.glsl"
 #include "ray/nearest.glsl"
 #include "software/hooks.glsl"
 #if OUTPUT == COLOR || OUTPUT == WORK || OUTPUT == STEPS
@@ -74,4 +75,5 @@ vec4 pixel(Ray ray) {
 void main() {
     beforePixel();
     store(afterPixel(pixel(primaryRay())));
+    markCovered();
 }

@@ -9,7 +9,7 @@
 // lightPosition             integrator/shadow_rays.glsl         PRELOADS: light_position.glsl
 // fallsBack                 integrator/whitted.glsl and shadow_rays.glsl   FALLBACK: fallback.glsl
 // noteUncommon              ray/nearest.glsl                    FALLBACK: fallback.glsl
-// markCovered               pass/linear_picture.glsl            COVERAGE_MASK: coverage_mask.glsl
+// markCovered               pass/trace.frag and sky.frag        COVERAGE_MASK: coverage_mask.glsl
 // placeTile                 pass/canvas.vert                    TILES: tiles.glsl
 //
 // Loops whose ends are tested at their ends, and ITERATIONS_COUNTED in integrator/shadow_rays.glsl, stay where they

@@ -6,7 +6,7 @@ namespace gnomon {
 /// The defaults are a GPU's. A software rasteriser's are told by tracer/software/tuning.h.
 struct CodegenTarget {
     bool es300 = true;        ///< prelude `#version 300 es`, else `330 core`
-    bool floatTargets = true; ///< the linear picture is of floats, else of their bits: shaders/pass/linear_picture.glsl
+    bool floatTargets = true; ///< the linear picture is of floats, else of their bits: shaders/pass/linear_output.glsl
     int blockTexels = 1024;   ///< vec4 that a uniform block holds: 16 KiB, as every GL does
     bool textureBest = false; ///< scene data is read faster from a texture than from a uniform block
     bool split = false;       ///< shader variants pay off: each pixel pays for all that its program has

@@ -6,18 +6,26 @@
 #include "tracer/settings/settings.h"
 #include "tracer/software/variant_programs.h"
 
+#include <algorithm>
 #include <memory>
+#include <vector>
 
 namespace gnomon {
 
 struct Drawing {
     std::shared_ptr<GpuScene> scene;
     VariantPrograms trace;
-    std::shared_ptr<CachedProgram> resolve;
+    std::vector<std::shared_ptr<CachedProgram>> fullScreen; ///< in the order of pass/full_screen_table.h
     Settings settings;
 
-    explicit operator bool() const { return scene && trace && resolve && resolve->program; }
-    bool canDraw() const { return *this && trace.canDraw() && resolve->state == CompileState::Ready; }
+    explicit operator bool() const {
+        return scene && trace && !fullScreen.empty() &&
+               std::ranges::all_of(fullScreen, [](const auto& pass) { return pass && pass->program; });
+    }
+    bool canDraw() const {
+        return *this && trace.canDraw() &&
+               std::ranges::all_of(fullScreen, [](const auto& pass) { return pass->state == CompileState::Ready; });
+    }
 };
 
 /// What all drawings of a renderer share.

@@ -55,7 +55,7 @@ bool OutputReader::draw(const Drawing& drawing, const Settings& settings, const 
     if (!output_ || !trace_.begin(drawing, view))
         return refuse("the GL has no memory for a picture of this size", "use a smaller --size");
     trace_.step(drawing, settings, frame);
-    ResolvePass::draw(drawing, trace_, format == GL_RGBA8, frame, output_);
+    fullScreen_.draw(drawing, trace_, format == GL_RGBA8, frame, output_);
     return true;
 }
 

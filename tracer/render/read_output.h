@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tracer/gl/gl.h"
-#include "tracer/render/pass/resolve_pass.h"
+#include "tracer/render/pass/full_screen_passes.h"
 
 namespace gnomon {
 
@@ -20,6 +20,7 @@ class OutputReader {
     FloatImage meanOfBatches(const Drawing&, const View&, Frame&, const gl::Info&, Problems&);
 
     TracePass trace_;
+    FullScreenPasses fullScreen_;
     gl::Target output_;
 };
 

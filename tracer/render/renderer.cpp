@@ -2,6 +2,8 @@
 
 #include "tracer/clock.h"
 #include "tracer/plan/scene_offsets.h"
+#include "tracer/render/pass/full_screen_passes.h"
+#include "tracer/render/pass/full_screen_table.h"
 #include "tracer/render/read_output.h"
 #include "tracer/software/tuning.h"
 #include "tracer/software/uncommon_features.h"
@@ -66,6 +68,12 @@ Plan planFor(const PreparedScene& prepared, const Settings& settings, const gl::
     return plan;
 }
 
+/// Both go through the same full-screen passes.
+bool passesAlike(const Settings& a, const Settings& b) {
+    return std::ranges::all_of(kFullScreenTable,
+                               [&](const FullScreenRow& row) { return row.wanted(a) == row.wanted(b); });
+}
+
 } // namespace
 
 struct Renderer::Impl {
@@ -74,7 +82,7 @@ struct Renderer::Impl {
     ProgramCache programs;
     Frame frame;
     TracePass warm, coarse, fine;
-    ResolvePass resolve;
+    FullScreenPasses fullScreen;
     OutputReader reader;
     unsigned version = 0, fineVersion = 0;
 
@@ -94,7 +102,9 @@ struct Renderer::Impl {
         const Plan plan = planFor(wanted.scene->prepared(), settings, info, programs.overridden(), problems);
         wanted.settings = settings;
         wanted.trace = VariantPrograms(plan, programs, problems);
-        wanted.resolve = programs.get(plan, problems, "pass/resolve.frag");
+        wanted.fullScreen.clear();
+        for (const FullScreenRow& row : kFullScreenTable)
+            if (row.wanted(settings)) wanted.fullScreen.push_back(programs.get(plan, problems, row.shader));
         adopted = false;
         adopt();
     }
@@ -111,16 +121,27 @@ struct Renderer::Impl {
         Progress progress{.wanted = bool(wanted.scene)};
         if (!wanted.scene) return progress;
         progress.images = wanted.scene->images().share(frame.pictures);
-        progress.failed = !wanted.trace.began() || !wanted.resolve;
+        progress.failed = !wanted.trace.began() || std::ranges::count(wanted.fullScreen, nullptr) > 0;
         if (!wanted) return progress;
-        const CompileState resolved = programs.poll(
-            *wanted.resolve, [this] { resolve.drawAside(wanted, warmed(), frame); }, problems);
+        const double fullScreenReady = pollFullScreen(progress, problems);
         const CompileState traced = wanted.trace.poll(
             programs, [this](const CachedProgram& program) { warm.warmUp(wanted, program, frame); }, problems);
         if (!adopted || drawn.trace.split() != wanted.trace.split()) adopt();
-        progress.failed = resolved == CompileState::Failed || traced == CompileState::Failed;
-        progress.compiled = 0.5 * (wanted.trace.compiled() + (resolved == CompileState::Ready));
+        progress.failed |= traced == CompileState::Failed;
+        progress.compiled = 0.5 * (wanted.trace.compiled() + fullScreenReady);
         return progress;
+    }
+
+    /// Share of the full-screen passes that are ready.
+    double pollFullScreen(Progress& progress, Problems& problems) {
+        int ready = 0;
+        for (const auto& pass : wanted.fullScreen) {
+            const CompileState state = programs.poll(
+                *pass, [&] { fullScreen.warmUp(*pass, wanted, warmed(), frame); }, problems);
+            ready += state == CompileState::Ready;
+            progress.failed |= state == CompileState::Failed;
+        }
+        return double(ready) / double(wanted.fullScreen.size());
     }
 
     /// A linear picture of one pixel.
@@ -172,7 +193,7 @@ void Renderer::setImage(const std::string& name, const Image& image) {
 }
 
 void Renderer::configure(const Settings& settings) {
-    const bool alike = planAlike(impl_->settings, settings);
+    const bool alike = planAlike(impl_->settings, settings) && passesAlike(impl_->settings, settings);
     impl_->settings = impl_->wanted.settings = settings;
     ++impl_->version;
     if (!alike || !impl_->wanted) impl_->choose();
@@ -209,14 +230,14 @@ bool Renderer::canDraw() const { return impl_->drawn.canDraw(); }
 void Renderer::draw(const View& view, double scale, unsigned framebuffer) {
     Impl& i = *impl_;
     if (!i.trace(view, scale)) return;
-    i.resolve.show(i.drawn, i.coarse, i.coarse.rows(), i.frame, view, framebuffer);
+    i.fullScreen.show(i.drawn, i.coarse, i.coarse.rows(), i.frame, view, framebuffer);
     i.drawing.set();
 }
 
 void Renderer::drawAside(const View& view, double scale) {
     Impl& i = *impl_;
     if (!i.trace(view, scale)) return;
-    i.resolve.drawAside(i.drawn, i.coarse, i.frame);
+    i.fullScreen.drawAside(i.drawn, i.coarse, i.frame);
     i.drawing.set();
 }
 
@@ -239,10 +260,10 @@ void Renderer::show(const View& view, unsigned framebuffer) {
     if (!canDraw()) return;
     const int rows = i.fine.rows(), height = i.fine.view().height;
     if (i.coarse.picture() && rows < height)
-        i.resolve.show(i.drawn, i.coarse, i.coarse.view().height, i.frame, view, framebuffer);
+        i.fullScreen.show(i.drawn, i.coarse, i.coarse.view().height, i.frame, view, framebuffer);
     // An edge that is stretched takes in something of the row above it, which is not drawn yet.
     const int ready = rows < height ? rows - 1 : rows;
-    if (i.fine.picture() && ready > 0) i.resolve.show(i.drawn, i.fine, ready, i.frame, view, framebuffer);
+    if (i.fine.picture() && ready > 0) i.fullScreen.show(i.drawn, i.fine, ready, i.frame, view, framebuffer);
 }
 
 bool Renderer::busy() { return impl_->busy(); }

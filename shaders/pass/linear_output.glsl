@@ -3,19 +3,10 @@
 // to.
 //
 // store   this pixel's value
-#include "software/coverage_mask.glsl"
-
 #if FLOAT_TARGETS
 layout(location = 0) out vec4 outLinear;
+void store(vec4 value) { outLinear = value; }
 #else
 layout(location = 0) out uvec4 outLinear;
+void store(vec4 value) { outLinear = floatBitsToUint(value); }
 #endif
-
-void store(vec4 value) {
-#if FLOAT_TARGETS
-    outLinear = value;
-#else
-    outLinear = floatBitsToUint(value);
-#endif
-    markCovered();
-}
