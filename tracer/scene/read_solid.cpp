@@ -8,7 +8,8 @@
 namespace gnomon {
 namespace {
 
-constexpr int kMostParts = 64; ///< of a body: each is code in the shader
+constexpr int kMostParts = 64;  ///< of a solid: each is code in the shader
+constexpr int kMostCopies = 64; ///< of a repetition that a point may be nearest to: each is an evaluation
 
 /// Packs the fields of an analytic shape as the shape table says.
 Shape readFields(const ObjectReader& reader, const ShapeRow& row, SceneReport& report) {
@@ -106,6 +107,17 @@ int partsOf(const SolidNode& node) {
     return parts;
 }
 
+/// A repetition whose part reaches over too many of its neighbours.
+const SolidNode* denseRepetition(const SolidNode& node) {
+    if (node.op == SolidOp::Repetition) {
+        const glm::ivec3 window = copiesAbout(node);
+        if (double(window.x) * window.y * window.z > kMostCopies) return &node;
+    }
+    for (const SolidNode& part : node.of)
+        if (const SolidNode* dense = denseRepetition(part)) return dense;
+    return nullptr;
+}
+
 /// Whether every operation got what it works on; where one did not, that has been reported.
 bool complete(const SolidNode& node) {
     if (node.op != SolidOp::Shape && node.of.empty()) return false;
@@ -121,6 +133,14 @@ Shape readShape(const ObjectReader& object, SceneReport& report) {
     if (const int parts = partsOf(node); parts > kMostParts) {
         report.add(object.line(), object.path(), "a body of " + std::to_string(parts) + " parts",
                    "use at most " + std::to_string(kMostParts) + ", or several objects");
+        return {};
+    }
+    if (const SolidNode* dense = denseRepetition(node)) {
+        const glm::ivec3 window = copiesAbout(*dense);
+        report.add(object.line(), object.path(),
+                   "copies that reach over " + std::to_string(window.x) + " x " + std::to_string(window.y) + " x " +
+                       std::to_string(window.z) + " of one another",
+                   "use a longer period or a smaller part: at most " + std::to_string(kMostCopies) + " may meet");
         return {};
     }
     if (auto shape = shapeOf(node)) return *shape;
