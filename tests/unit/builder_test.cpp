@@ -58,7 +58,7 @@ Scene row(int spheres, double wider = 0.01) {
                                             {"sphere": {"center": [0, 0, 0], "radius": 0.1}}]})");
     for (int i = 1; i < spheres; ++i) {
         scene.objects.push_back(scene.objects.back());
-        scene.objects.back().shape.texels[0].x += 1 + i * wider;
+        scene.objects.back().shape.values[0] += 1 + i * wider;
     }
     return scene;
 }
@@ -96,7 +96,7 @@ TEST(ShaderBuilder, WalksLatticesCellByCell) {
 
 TEST(ShaderBuilder, GivesTheSameSourceWhenOnlyNumbersChange) {
     Scene moved = sceneNamed("lite");
-    moved.objects[1].shape.texels[0] += 1.0;
+    moved.objects[1].shape = translated(moved.objects[1].shape, glm::dvec3(1));
     moved.materials[1].diffuse *= 0.5;
     Settings settings;
     settings.depth = 2;

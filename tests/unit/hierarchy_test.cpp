@@ -181,7 +181,7 @@ TEST_P(HierarchyOf, FindsWhatAskingAllFinds) {
 TEST_P(HierarchyOf, RefitsToWhatItsLeavesHold) {
     Dice dice(8);
     Spheres moved = balls;
-    for (Shape& ball : moved) ball = sphere(glm::dvec3(ball.texels[0]) + dice.point(0.3), 0.1 + ball.texels[0].w);
+    for (Shape& ball : moved) ball = sphere(pointOf(ball, "center") + dice.point(0.3), 0.1 + lengthOf(ball, "radius"));
     const std::vector<Bounds> now = boundsOfAll(moved);
     Hierarchy refitted = hierarchy;
     refit(refitted, now);
