@@ -76,10 +76,10 @@ TEST(ShaderBuilder, WalksHierarchiesOnlyWhereTheyPayOrAreAskedFor) {
 }
 
 TEST(ShaderBuilder, MasksAFewObjectsByTheirSpheres) {
-    EXPECT_TRUE(mentions(source(row(6)), "ballSphere(loadSphere(kSphereBase + (kSphereLoose + 5)"));
-    EXPECT_FALSE(mentions(source(row(6)), "(kSphereLoose + 6)"));
+    EXPECT_TRUE(mentions(source(row(6)), "ballSphere(objectSphere(kSphereLoose + 5))"));
+    EXPECT_FALSE(mentions(source(row(6)), "kSphereLoose + 6)"));
     EXPECT_FALSE(mentions(source(row(1)), "kSphereLoose")) << "one is asked at once";
-    EXPECT_FALSE(mentions(source(row(200)), "ballSphere(loadSphere(kSphereBase + (kSphereLoose"));
+    EXPECT_FALSE(mentions(source(row(200)), "ballSphere(objectSphere(kSphereLoose"));
 }
 
 TEST(ShaderBuilder, WalksLatticesCellByCell) {

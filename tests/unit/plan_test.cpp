@@ -152,7 +152,6 @@ TEST(Contradiction, IsToldOfTheScenesFacts) {
 }
 
 TEST(Contradiction, IsToldOfTheTarget) {
-    EXPECT_EQ(withChange([](Plan& p) { p.target.cachedLoads = true; }), "preloads together with cached loads");
     EXPECT_EQ(withChange([](Plan& p) { p.target.fallback = false; }, kSwiftShader),
               "a target with tiles but without fallback");
 }
