@@ -2,13 +2,12 @@
 #include "lab/results/compare.h"
 #include "lab/results/read_results.h"
 #include "native/command/commands.h"
+#include "native/file/input_file.h"
 #include "native/file/output_file.h"
 #include "native/report/report.h"
+#include "tracer/scene/json_document.h"
 
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 
 namespace gnomon {
@@ -22,13 +21,8 @@ struct ReportOptions {
 };
 
 std::optional<Results> readFile(const std::string& file, Problems& problems) {
-    std::error_code ignored;
-    std::ifstream in(file, std::ios::binary);
-    if (!in || std::filesystem::is_directory(file, ignored)) {
-        problems.push_back({file, 0, {}, in ? "is a folder" : "cannot be read", "give a file of results"});
-        return std::nullopt;
-    }
-    return readResults(std::string{std::istreambuf_iterator<char>(in), {}}, file, problems);
+    const auto text = readInput(file, kMaxJsonBytes, "measure less at a time", problems);
+    return text ? readResults(*text, inputName(file), problems) : std::nullopt;
 }
 
 std::vector<Results> readFiles(const std::vector<std::string>& files, Problems& problems) {

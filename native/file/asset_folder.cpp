@@ -1,17 +1,19 @@
 #include "native/file/asset_folder.h"
 
+#include "native/file/input_file.h"
+#include "tracer/scene/json_document.h"
 #include "tracer/scene/read_scene.h"
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
-#include <iterator>
 
 namespace gnomon {
 
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr std::size_t kMostImageBytes = std::size_t(128) << 20; ///< of a file: no picture within the limits needs more
 
 bool isFile(const fs::path& path) {
     std::error_code ignored;
@@ -21,14 +23,6 @@ bool isFile(const fs::path& path) {
 bool isFolder(const fs::path& path) {
     std::error_code ignored;
     return fs::is_directory(path, ignored);
-}
-
-std::optional<std::string> readBytes(const fs::path& path, Problems& problems) {
-    std::ifstream file(path, std::ios::binary);
-    std::string bytes{std::istreambuf_iterator<char>(file), {}};
-    if (file.is_open() && !file.bad()) return bytes;
-    problems.push_back({path.string(), 0, {}, "cannot be read", "check that the file exists and that you may read it"});
-    return std::nullopt;
 }
 
 /// Is `text` a path rather than a scene's name?
@@ -77,7 +71,8 @@ std::optional<fs::path> AssetFolder::fileOf(const std::string& nameOrFile, Probl
         const fs::path named = root_ / "scenes" / (nameOrFile + ".json");
         if (isFile(named)) return named;
     }
-    if (isFile(nameOrFile)) return nameOrFile;
+    std::error_code ignored;
+    if (nameOrFile == "-" || (fs::exists(nameOrFile, ignored) && !isFolder(nameOrFile))) return nameOrFile;
     if (isFolder(nameOrFile)) {
         problems.push_back({nameOrFile, 0, {}, "is a folder", "name a scene file in it"});
         return std::nullopt;
@@ -97,16 +92,17 @@ std::optional<fs::path> AssetFolder::fileOf(const std::string& nameOrFile, Probl
 std::optional<Scene> AssetFolder::readScene(const std::string& nameOrFile, Problems& problems) const {
     const auto file = fileOf(nameOrFile, problems);
     if (!file) return std::nullopt;
-    const auto text = readBytes(*file, problems);
-    return text ? gnomon::readScene(*text, file->string(), problems) : std::nullopt;
+    const auto text = readInput(file->string(), kMaxJsonBytes, "use a smaller scene", problems);
+    return text ? gnomon::readScene(*text, inputName(file->string()), problems) : std::nullopt;
 }
 
 std::optional<Image> AssetFolder::readImage(const Scene& scene, const std::string& name, Problems& problems) const {
-    std::vector<fs::path> places{fs::path(scene.file).parent_path() / (name + ".png"),
-                                 root_ / "textures" / (name + ".png")};
+    // Beside the scene; one that came through a pipe stands in the folder that the program was started in.
+    const fs::path folder = isFile(scene.file) ? fs::path(scene.file).parent_path() : fs::path();
+    std::vector<fs::path> places{folder / (name + ".png"), root_ / "textures" / (name + ".png")};
     for (const auto& place : places) {
         if (!isFile(place)) continue;
-        const auto bytes = readBytes(place, problems);
+        const auto bytes = readInput(place.string(), kMostImageBytes, "use a smaller image", problems);
         if (!bytes) return std::nullopt;
         return decodeImage(place.string(), {reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()},
                            problems);
