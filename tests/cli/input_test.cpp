@@ -33,3 +33,26 @@ TEST_F(Cli, SaysWhyAFileCannotBeRead) {
     ASSERT_EQ(system(("truncate -s 2G '" + (folder_ / "picture.png").string() + "'").c_str()), 0);
     expectRefused("check bare.json", 1, "picture.png: the file has 2147483648 bytes; at most 134217728 are read");
 }
+
+TEST_F(Cli, BoundsTheMemoryOfImagesBeforeItDecodesThem) {
+    // A header alone: nothing may come to the point where the rest is missed.
+    const auto header = [](char side) {
+        return std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16) + std::string("\0\0", 2) + side +
+               std::string("\0\0\0", 3) + side + std::string("\0\x08\x06\0\0\0\0\0\0\0", 10);
+    };
+    std::string materials, objects;
+    for (const char* name : {"a", "b", "c", "d"}) {
+        const std::string comma = materials.empty() ? "" : ",", quoted = "\"" + std::string(name) + "\"";
+        materials += comma + quoted + R"(:{"texture":)" + quoted + "}";
+        objects += comma + R"({"sphere":{"center":[0,0,0],"radius":1},"material":)" + quoted + "}";
+        write(std::string(name) + ".png", header(0x20));
+    }
+    write("four.json", "{\"materials\":{" + materials + "},\"objects\":[" + objects + "]}");
+    expectRefused("check four.json", 1, "four.json: its images take 1024 MB; 512 MB are the most");
+    expectRefused("render four.json -o x.png", 1, "four.json: its images take 1024 MB");
+    write("one.json", R"({"materials":{"m":{"texture":"large"}},
+                          "objects":[{"sphere":{"center":[0,0,0],"radius":1},"material":"m"}]})");
+    write("large.PNG", header(0x2d)); // 11520 a side: less than 512 MB as pixels, more to decode
+    expectRefused("check one.json", 1,
+                  "large.PNG: its 11520 x 11520 pixels take 1012 MB to decode; 512 MB are the most");
+}
