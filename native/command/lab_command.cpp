@@ -2,6 +2,7 @@
 #include "native/command/lab_command.h"
 
 #include "native/command/commands.h"
+#include "native/file/output_file.h"
 #include "native/report/report.h"
 
 #include <cstdio>
@@ -15,18 +16,20 @@ void addLabOptions(CLI::App& command, LabOptions& options) {
 }
 
 void addFileOptions(CLI::App& command, LabOptions& options) {
-    command.add_option("--json", options.json, "Write all numbers")->type_name("FILE");
-    command.add_option("--html", options.html, "Write tables and charts, as one page")->type_name("FILE");
+    command.add_option("--json", options.json, "Write all values; - is standard output")->type_name("FILE");
+    command.add_option("--html", options.html, "Write tables and charts, as one page; - is standard output")
+        ->type_name("FILE");
 }
 
 void checkLabOptions(const LabOptions& options, Problems& problems) {
     if (!contextNamed(options.context))
         problems.push_back(wrongOption("context", "'" + options.context + "' is none of osmesa|egl|window", {}));
+    checkFileOptions(options, problems);
 }
 
 void checkFileOptions(const LabOptions& options, Problems& problems) {
     for (const std::string& file : {options.json, options.html})
-        if (!file.empty()) checkTextFile(file, problems);
+        if (!file.empty()) prepareOutput(file, problems);
 }
 
 std::string listOption(const std::string& name, const std::vector<std::string>& values) {
@@ -45,8 +48,8 @@ void printEnvironment(const Environment& environment) {
 }
 
 void writeResults(const LabOptions& options, const Results& results, Problems& problems) {
-    if (!options.json.empty()) writeText(options.json, toJson(results), problems);
-    if (!options.html.empty()) writeText(options.html, toHtml({&results, 1}), problems);
+    if (!options.json.empty()) writeOutput(options.json, toJson(results), problems);
+    if (!options.html.empty()) writeOutput(options.html, toHtml({&results, 1}), problems);
 }
 
 void addLab(CLI::App& app, Task& task) {
