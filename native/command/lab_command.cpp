@@ -47,6 +47,12 @@ void printEnvironment(const Environment& environment) {
     for (const auto& [name, value] : environment) std::printf("%-10s %s\n", name.c_str(), value.c_str());
 }
 
+void printTable(const Table& table) {
+    if (table.rows.empty()) return;
+    std::printf("\n%s\n\n%s", table.title.c_str(), toMarkdown(table).c_str());
+    std::fflush(stdout);
+}
+
 void writeResults(const LabOptions& options, const Results& results, Problems& problems) {
     if (!options.json.empty()) writeOutput(options.json, toJson(results), problems);
     if (!options.html.empty()) writeOutput(options.html, toHtml({&results, 1}), problems);

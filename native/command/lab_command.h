@@ -32,6 +32,8 @@ void compileFromNothing();
 
 /// The environment, before the first number.
 void printEnvironment(const Environment&);
+/// Title and rows; nothing of a table without rows.
+void printTable(const Table&);
 /// Writes the files asked for; a problem for each that cannot be written.
 void writeResults(const LabOptions&, const Results&, Problems&);
 

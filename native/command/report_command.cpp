@@ -2,6 +2,7 @@
 #include "lab/results/compare.h"
 #include "lab/results/read_results.h"
 #include "native/command/commands.h"
+#include "native/command/lab_command.h"
 #include "native/file/input_file.h"
 #include "native/file/output_file.h"
 #include "native/report/report.h"
@@ -55,13 +56,11 @@ int writePage(const ReportOptions& options, const std::vector<Results>& runs, Pr
     return kDone;
 }
 
-void print(const Table& table) { std::printf("\n%s\n\n%s", table.title.c_str(), toMarkdown(table).c_str()); }
-
 /// The summary comes last, where a terminal's reader looks first.
 void print(const Results& comparison) {
     for (const auto& [name, value] : comparison.environment) std::printf("%-10s %s\n", name.c_str(), value.c_str());
-    for (std::size_t i = 1; i < comparison.tables.size(); ++i) print(comparison.tables[i]);
-    print(comparison.tables.front());
+    for (std::size_t i = 1; i < comparison.tables.size(); ++i) printTable(comparison.tables[i]);
+    printTable(comparison.tables.front());
 }
 
 /// The comparison comes first on the page, then both runs.
