@@ -1,7 +1,7 @@
 // What changes from frame to frame, one uniform block: FrameUniforms in tracer/render/frame_uniforms.h, byte for byte.
 //
 // eye, right, up, forward  camera; right and up are scaled so that the canvas' edges lie at ±1
-// origin         of all coordinates of the shader, in the world: originOf() in tracer/scene/scene.h
+// origin         of all coordinates of the shader, in the world: originOf() in tracer/plan/drawn.h
 // background     colour where nothing is hit and there is no cube map
 // channels       xyz: which of r, g, b each output channel shows
 // zero           0, which no compiler knows: an optimisation barrier (ray/split.glsl)

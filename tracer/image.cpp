@@ -1,10 +1,26 @@
 #include "tracer/image.h"
 
+#include "tracer/png.h"
+
 #include <algorithm>
 #include <array>
 #include <climits>
 #include <cmath>
+#include <cstdlib>
 
+namespace {
+
+/// A file of a few pixels may unpack to any length: no block that the decoder takes is larger.
+thread_local std::size_t mostOfABlock = 0;
+
+void* allocate(std::size_t size) { return size <= mostOfABlock ? std::malloc(size) : nullptr; }
+void* reallocate(void* block, std::size_t size) { return size <= mostOfABlock ? std::realloc(block, size) : nullptr; }
+
+} // namespace
+
+#define STBI_MALLOC allocate
+#define STBI_REALLOC reallocate
+#define STBI_FREE std::free
 #define STB_IMAGE_IMPLEMENTATION
 #define STB_IMAGE_STATIC
 #define STBI_NO_STDIO
@@ -20,6 +36,9 @@
 
 namespace gnomon {
 namespace {
+
+constexpr std::size_t kMostDecodeBytes = std::size_t(512) << 20;
+constexpr std::size_t kSmallBlocks = 1 << 16; ///< the decoder's own state, and what it takes for tiny pictures
 
 float toLinear(float c) { return c <= 0.04045f ? c / 12.92f : std::pow((c + 0.055f) / 1.055f, 2.4f); }
 float toSrgb(float c) { return c <= 0.0031308f ? c * 12.92f : 1.055f * std::pow(c, 1 / 2.4f) - 0.055f; }
@@ -51,19 +70,27 @@ Image halved(const Image& image, bool srgb) {
 }
 
 std::optional<Image> decodeImage(const std::string& name, std::span<const std::uint8_t> bytes, Problems& problems) {
-    int width = 0, height = 0, channels = 0;
-    stbi_uc* texels = nullptr;
-    if (bytes.size() <= INT_MAX)
-        texels = stbi_load_from_memory(bytes.data(), int(bytes.size()), &width, &height, &channels, 4);
-    if (!texels) {
-        const char* reason = bytes.empty() ? "the file is empty" : stbi_failure_reason();
-        problems.push_back({name,
-                            0,
-                            {},
-                            std::string("cannot be read as a picture (") + (reason ? reason : "too large") + ")",
-                            "use a PNG file of at most 16384 x 16384"});
+    const auto refuse = [&](std::string what) {
+        problems.push_back({name, 0, {}, std::move(what), "use a PNG file of at most 8192 x 8192"});
         return std::nullopt;
-    }
+    };
+    const auto refuseFor = [&](const char* reason) {
+        return refuse(std::string("cannot be read as a picture (") + (reason ? reason : "broken") + ")");
+    };
+    if (bytes.empty()) return refuseFor("the file is empty");
+    if (bytes.size() > INT_MAX) return refuseFor("too large");
+    const auto header = pngHeader(bytes);
+    if (isPng(bytes) && !header) return refuseFor("its header is broken");
+    if (const std::uint64_t needed = header ? header->decodeBytes() : 0; needed > kMostDecodeBytes)
+        return refuse("its " + std::to_string(header->width) + " x " + std::to_string(header->height) +
+                      " pixels take " + std::to_string(needed >> 20) + " MB to decode; 512 MB are the most");
+    const auto cleaned = withoutEmptyChunks(bytes);
+    if (cleaned) bytes = *cleaned;
+    // Twice: interlaced pixels and chunks that follow one another make the decoder double its buffers.
+    mostOfABlock = 2 * std::max(header ? std::size_t(header->decodeBytes()) : 0, bytes.size()) + kSmallBlocks;
+    int width = 0, height = 0, channels = 0;
+    stbi_uc* texels = stbi_load_from_memory(bytes.data(), int(bytes.size()), &width, &height, &channels, 4);
+    if (!texels) return refuseFor(stbi_failure_reason());
     Image image{width, height, {texels, texels + std::size_t(width) * height * 4}};
     stbi_image_free(texels);
     return image;

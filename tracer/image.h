@@ -33,7 +33,8 @@ struct FloatImage {
 /// are.
 Image halved(const Image&, bool srgb);
 
-/// Decodes PNG bytes; `name` stands in the problem where that fails.
+/// Decodes PNG bytes; `name` stands in the problem where that fails. What would take more than 512 MB is refused before
+/// it is decoded.
 std::optional<Image> decodeImage(const std::string& name, std::span<const std::uint8_t> bytes, Problems&);
 
 } // namespace gnomon

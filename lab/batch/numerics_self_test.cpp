@@ -34,12 +34,12 @@ struct Body {
     Vec axis{0, 0, 1};
 
     explicit Body(const Shape& shape) {
-        const auto &a = shape.texels[0], &b = shape.texels[1];
-        center = Vec(glm::vec3(a));
+        const Shape rounded = inFloat(shape);
         const bool torus = shape.kind == ShapeKind::Torus;
-        major = torus ? double(float(a.w)) : 0;
-        minor = double(float(torus ? b.w : a.w));
-        if (torus) axis = glm::normalize(Vec(glm::vec3(b)));
+        center = pointOf(rounded, "center");
+        major = torus ? lengthOf(rounded, "major_radius") : 0;
+        minor = lengthOf(rounded, torus ? "minor_radius" : "radius");
+        if (torus) axis = glm::normalize(pointOf(rounded, "axis"));
     }
     double size() const { return major + minor; }
     double distance(Vec p) const {

@@ -9,7 +9,7 @@ namespace {
 
 constexpr int kPairs = 5;
 
-bool same(const Shape& a, const Shape& b) { return a.kind == b.kind && a.texels == b.texels; }
+bool same(const Shape& a, const Shape& b) { return a.kind == b.kind && a.values == b.values; }
 
 bool same(const std::vector<Shape>& a, const std::vector<Shape>& b) {
     return std::equal(a.begin(), a.end(), b.begin(), b.end(),

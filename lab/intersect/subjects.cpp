@@ -1,5 +1,6 @@
 #include "lab/intersect/subjects.h"
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 
@@ -11,9 +12,6 @@ using Vec = Vec3<double>;
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kThin = 0x1p-7;
 
-Shape make(ShapeKind kind, std::array<glm::dvec4, kMaxShapeTexels> texels) { return {kind, texels}; }
-glm::dvec4 about(double x, double y, double z, double w = 0) { return {x, y, z, w}; }
-
 /// A fixed turn about a skew axis: no component of a turned axis is 0.
 glm::dvec3 turned(glm::dvec3 v) {
     static const glm::dmat3 turn = [] {
@@ -24,18 +22,14 @@ glm::dvec3 turned(glm::dvec3 v) {
     return turn * v;
 }
 
-glm::dvec4 turned(glm::dvec4 v) { return {turned(glm::dvec3(v)), v.w}; }
-/// As the shader gets it.
-Shape rounded(Shape shape) {
-    for (glm::dvec4& texel : shape.texels) texel = glm::dvec4(glm::vec4(texel));
-    return shape;
-}
-
 Shape turned(Shape shape) {
     if (shape.kind == ShapeKind::Box) return shape; // its faces lie across the world's axes
     for (const ShapeField& field : shapeRow(shape.kind).fields) {
-        const int vectors = field.type == FieldType::Vertices ? 3 : field.component == 0 ? 1 : 0;
-        for (int i = 0; i < vectors; ++i) shape.texels[field.texel + i] = turned(shape.texels[field.texel + i]);
+        double* vector = &shape.values[std::size_t(field.at)];
+        for (int i = 0; i < vectorCount(field.type); ++i, vector += 3) {
+            const glm::dvec3 after = turned(glm::dvec3(vector[0], vector[1], vector[2]));
+            std::copy_n(&after.x, 3, vector);
+        }
     }
     return shape;
 }
@@ -51,24 +45,24 @@ std::ostream& operator<<(std::ostream& out, const Subject& subject) { return out
 
 const std::vector<Subject>& subjects() {
     using enum ShapeKind;
-    // Numbers that float32 holds exactly.
+    // Values that float32 holds exactly.
     static const std::vector<Subject> all{
-        {"sphere", "", make(Sphere, {about(0, 0, 0, 1)})},
-        {"plane", "", make(Plane, {about(0, 0, 0), about(0, 0, 1)})},
-        {"disc", "", make(Disc, {about(0, 0, 0, 1), about(0, 0, 1)})},
-        {"triangle", "thin", make(Triangle, {about(-1, 0, 0), about(1, 0, 0), about(0.25, kThin, 0)})},
-        {"triangle", "fat", make(Triangle, {about(-0.875, -0.5, 0), about(0.875, -0.5, 0), about(0, 1, 0)})},
-        {"torus", "thin", make(Torus, {about(0, 0, 0, 1), about(0, 0, 1, kThin)})},
-        {"torus", "quarter", make(Torus, {about(0, 0, 0, 1), about(0, 0, 1, 0.25)})},
-        {"torus", "fat", make(Torus, {about(0, 0, 0, 1), about(0, 0, 1, 0.875)})},
-        {"box", "thin", make(Box, {about(0, 0, 0), about(1, 0.75, kThin)})},
-        {"box", "fat", make(Box, {about(0, 0, 0), about(1, 0.75, 0.625)})},
-        {"cylinder", "thin", make(Cylinder, {about(0, 0, -1, kThin), about(0, 0, 1)})},
-        {"cylinder", "fat", make(Cylinder, {about(0, 0, -0.25, 1), about(0, 0, 0.25)})},
-        {"capsule", "thin", make(Capsule, {about(0, 0, -1, kThin), about(0, 0, 1)})},
-        {"capsule", "fat", make(Capsule, {about(0, 0, -0.25, 1), about(0, 0, 0.25)})},
-        {"cone", "thin", make(Cone, {about(0, 0, -1, kThin), about(0, 0, 1)})},
-        {"cone", "fat", make(Cone, {about(0, 0, -0.25, 1), about(0, 0, 0.25)})},
+        {"sphere", "", makeShape(Sphere, {{0, 0, 0}}, {1})},
+        {"plane", "", makeShape(Plane, {{0, 0, 0}, {0, 0, 1}})},
+        {"disc", "", makeShape(Disc, {{0, 0, 0}, {0, 0, 1}}, {1})},
+        {"triangle", "thin", makeShape(Triangle, {{-1, 0, 0}, {1, 0, 0}, {0.25, kThin, 0}})},
+        {"triangle", "fat", makeShape(Triangle, {{-0.875, -0.5, 0}, {0.875, -0.5, 0}, {0, 1, 0}})},
+        {"torus", "thin", makeShape(Torus, {{0, 0, 0}, {0, 0, 1}}, {1, kThin})},
+        {"torus", "quarter", makeShape(Torus, {{0, 0, 0}, {0, 0, 1}}, {1, 0.25})},
+        {"torus", "fat", makeShape(Torus, {{0, 0, 0}, {0, 0, 1}}, {1, 0.875})},
+        {"box", "thin", makeShape(Box, {{0, 0, 0}, {1, 0.75, kThin}})},
+        {"box", "fat", makeShape(Box, {{0, 0, 0}, {1, 0.75, 0.625}})},
+        {"cylinder", "thin", makeShape(Cylinder, {{0, 0, -1}, {0, 0, 1}}, {kThin})},
+        {"cylinder", "fat", makeShape(Cylinder, {{0, 0, -0.25}, {0, 0, 0.25}}, {1})},
+        {"capsule", "thin", makeShape(Capsule, {{0, 0, -1}, {0, 0, 1}}, {kThin})},
+        {"capsule", "fat", makeShape(Capsule, {{0, 0, -0.25}, {0, 0, 0.25}}, {1})},
+        {"cone", "thin", makeShape(Cone, {{0, 0, -1}, {0, 0, 1}}, {kThin})},
+        {"cone", "fat", makeShape(Cone, {{0, 0, -0.25}, {0, 0, 0.25}}, {1})},
     };
     return all;
 }
@@ -118,15 +112,14 @@ Shape placed(const Subject& subject, RayClass kind, double distance) {
     if (kind == RayClass::Axis) return subject.body;
     const glm::dvec3 away =
         kind == RayClass::Inside ? distance * glm::dvec3(0.6, -0.48, 0.64) : glm::dvec3(0.3, -0.7, 1.1);
-    return rounded(translated(turned(subject.body), away));
+    return inFloat(translated(turned(subject.body), away));
 }
 
 RayStream::RayStream(const Shape& placed, RayClass kind, double distance, std::uint64_t seed)
     : body_(placed), kind_(kind), far_(distance), random_(seed) {
     measures_ = {0};
-    for (const glm::dvec4& texel : placed.texels)
-        for (int i = 0; i < 4; ++i)
-            if (texel[i] != 0) measures_.insert(measures_.end(), {texel[i], -texel[i]});
+    for (const double value : placed.values)
+        if (value != 0) measures_.insert(measures_.end(), {value, -value});
     if (placed.kind == ShapeKind::Torus)
         for (const double side : {-1.0, 1.0})
             for (const double tube : {-1.0, 1.0}) measures_.push_back(side * (body_.radius() + tube * body_.minor()));

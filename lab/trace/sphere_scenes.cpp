@@ -102,12 +102,7 @@ std::vector<Material> materials() {
     return all;
 }
 
-Shape sphere(glm::dvec3 center, double radius) {
-    Shape shape;
-    shape.kind = ShapeKind::Sphere;
-    shape.texels[0] = glm::dvec4(center, radius);
-    return shape;
-}
+Shape sphere(glm::dvec3 center, double radius) { return makeShape(ShapeKind::Sphere, {center}, {radius}); }
 
 /// At time 0 where it rests.
 Orbit orbit(double radius, Dice& dice) { return {glm::dvec3(0), 0.5 * radius * dice.point(), 2, -1}; }

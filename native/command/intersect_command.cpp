@@ -4,6 +4,7 @@
 #include "lab/reference/textbook/textbook.h"
 #include "native/command/lab_command.h"
 #include "native/context/environment.h"
+#include "native/file/image_file.h"
 #include "tracer/scene/shapes.h"
 
 #include <algorithm>
@@ -58,6 +59,7 @@ void printSum(const std::vector<oracle::IntersectRow>& rows) {
 Problems checkOptions(const IntersectOptions& options) {
     Problems problems;
     checkLabOptions(options.lab, problems);
+    if (!options.picture.empty()) checkImageFile(options.picture, "png", Aov::Color, problems);
     if (options.rays < 100 || options.rays > 10000000)
         problems.push_back(
             wrongOption("rays", std::to_string(options.rays) + " is out of range", "use 100 … 10000000"));

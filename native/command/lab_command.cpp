@@ -2,6 +2,7 @@
 #include "native/command/lab_command.h"
 
 #include "native/command/commands.h"
+#include "native/file/output_file.h"
 #include "native/report/report.h"
 
 #include <cstdio>
@@ -15,18 +16,20 @@ void addLabOptions(CLI::App& command, LabOptions& options) {
 }
 
 void addFileOptions(CLI::App& command, LabOptions& options) {
-    command.add_option("--json", options.json, "Write all numbers")->type_name("FILE");
-    command.add_option("--html", options.html, "Write tables and charts, as one page")->type_name("FILE");
+    command.add_option("--json", options.json, "Write all values; - is standard output")->type_name("FILE");
+    command.add_option("--html", options.html, "Write tables and charts, as one page; - is standard output")
+        ->type_name("FILE");
 }
 
 void checkLabOptions(const LabOptions& options, Problems& problems) {
     if (!contextNamed(options.context))
         problems.push_back(wrongOption("context", "'" + options.context + "' is none of osmesa|egl|window", {}));
+    checkFileOptions(options, problems);
 }
 
 void checkFileOptions(const LabOptions& options, Problems& problems) {
     for (const std::string& file : {options.json, options.html})
-        if (!file.empty()) checkTextFile(file, problems);
+        if (!file.empty()) prepareOutput(file, problems);
 }
 
 std::string listOption(const std::string& name, const std::vector<std::string>& values) {
@@ -44,9 +47,15 @@ void printEnvironment(const Environment& environment) {
     for (const auto& [name, value] : environment) std::printf("%-10s %s\n", name.c_str(), value.c_str());
 }
 
+void printTable(const Table& table) {
+    if (table.rows.empty()) return;
+    std::printf("\n%s\n\n%s", table.title.c_str(), toMarkdown(table).c_str());
+    std::fflush(stdout);
+}
+
 void writeResults(const LabOptions& options, const Results& results, Problems& problems) {
-    if (!options.json.empty()) writeText(options.json, toJson(results), problems);
-    if (!options.html.empty()) writeText(options.html, toHtml({&results, 1}), problems);
+    if (!options.json.empty()) writeOutput(options.json, toJson(results), problems);
+    if (!options.html.empty()) writeOutput(options.html, toHtml({&results, 1}), problems);
 }
 
 void addLab(CLI::App& app, Task& task) {

@@ -17,8 +17,9 @@ struct LabOptions {
     bool writes() const { return !json.empty() || !html.empty(); }
 };
 void addLabOptions(CLI::App& command, LabOptions&);
+/// A problem for each file that cannot be written, before anything is measured.
 void checkLabOptions(const LabOptions&, Problems&);
-/// Just --json and --html; a problem for each that cannot be written, before anything is measured.
+/// Just --json and --html.
 void addFileOptions(CLI::App& command, LabOptions&);
 void checkFileOptions(const LabOptions&, Problems&);
 
@@ -31,6 +32,8 @@ void compileFromNothing();
 
 /// The environment, before the first number.
 void printEnvironment(const Environment&);
+/// Title and rows; nothing of a table without rows.
+void printTable(const Table&);
 /// Writes the files asked for; a problem for each that cannot be written.
 void writeResults(const LabOptions&, const Results&, Problems&);
 

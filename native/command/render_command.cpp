@@ -14,23 +14,29 @@ namespace {
 
 struct RenderOptions {
     Drawing drawing;
-    std::string file;
+    std::string file, format;
     std::string context = "osmesa";
 };
 
 /// Draws with a renderer of the current context and writes the file: a picture as a window shows it, or the numbers.
 ExitCode draw(const Loaded& loaded, const Settings& settings, const CameraPose& pose, const std::string& file,
-              Problems& problems) {
+              ImageFormat format, Problems& problems) {
     Renderer renderer;
     if (!renderer.setScene(loaded.scene, problems)) return kInputWrong;
     for (const auto& [name, image] : loaded.images) renderer.setImage(name, image);
     renderer.configure(settings);
     const View view{pose, settings.time, settings.size.x, settings.size.y};
     if (!renderer.finish(problems)) return kNoGl;
-    const Image picture = isPicture(file) ? renderer.readPicture(view, problems) : Image{};
-    const FloatImage numbers = isPicture(file) ? FloatImage{} : renderer.readOutput(view, problems);
-    if (!problems.empty()) return kNoGl;
-    const bool written = isPicture(file) ? writeImage(file, picture, problems) : writeImage(file, numbers, problems);
+    bool written = false;
+    if (format == ImageFormat::Png) {
+        const Image picture = renderer.readPicture(view, problems);
+        if (!problems.empty()) return kNoGl;
+        written = writeImage(file, picture, problems);
+    } else {
+        const FloatImage values = renderer.readOutput(view, problems);
+        if (!problems.empty()) return kNoGl;
+        written = writeImage(file, format, values, problems);
+    }
     return written ? kDone : kInputWrong;
 }
 
@@ -40,7 +46,7 @@ int render(const RenderOptions& options) {
     const auto settings = readSettings(options.drawing, problems);
     const auto kind = contextNamed(options.context);
     if (!kind) problems.push_back(wrongOption("context", "'" + options.context + "' is none of osmesa|egl|window", {}));
-    checkImageFile(options.file, settings.value_or(Settings{}).aov, problems);
+    const auto format = checkImageFile(options.file, options.format, settings.value_or(Settings{}).aov, problems);
     if (!problems.empty()) return fail(kCommandLineWrong, problems);
 
     const auto loaded = load(options.drawing.scene, problems);
@@ -50,7 +56,7 @@ int render(const RenderOptions& options) {
 
     const auto context = makeContext(*kind, problems);
     if (!context) return fail(kNoGl, problems);
-    const ExitCode code = draw(*loaded, *settings, *pose, options.file, problems);
+    const ExitCode code = draw(*loaded, *settings, *pose, options.file, *format, problems);
     if (code != kDone) return fail(code, problems);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
     std::printf("%s: %s, %d x %d, %.2f s\n", options.file.c_str(), loaded->scene.name.c_str(), settings->size.x,
@@ -64,9 +70,13 @@ void addRender(CLI::App& app, Task& task) {
     auto options = std::make_shared<RenderOptions>();
     auto* command = app.add_subcommand("render", "Draws one picture into a file; needs no display");
     addScene(*command, options->drawing.scene, true);
-    command->add_option("-o,--output", options->file, "The file: .png (8 bit), .pfm or .exr (32-bit float)")
+    command
+        ->add_option("-o,--output", options->file,
+                     "The file: .png (8 bit), .pfm or .exr (32-bit float); - is standard output")
         ->type_name("FILE")
         ->required();
+    command->add_option("--format", options->format, "Whatever the file's name ends with [png for -]")
+        ->type_name("png|pfm|exr");
     command->add_option("--context", options->context, "Where GL comes from [osmesa]")->type_name("osmesa|egl|window");
     addSettings(*command, options->drawing);
     command->callback([&task, options] { task = [options] { return render(*options); }; });

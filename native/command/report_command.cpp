@@ -2,12 +2,13 @@
 #include "lab/results/compare.h"
 #include "lab/results/read_results.h"
 #include "native/command/commands.h"
+#include "native/command/lab_command.h"
+#include "native/file/input_file.h"
+#include "native/file/output_file.h"
 #include "native/report/report.h"
+#include "tracer/scene/json_document.h"
 
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <memory>
 
 namespace gnomon {
@@ -21,13 +22,8 @@ struct ReportOptions {
 };
 
 std::optional<Results> readFile(const std::string& file, Problems& problems) {
-    std::error_code ignored;
-    std::ifstream in(file, std::ios::binary);
-    if (!in || std::filesystem::is_directory(file, ignored)) {
-        problems.push_back({file, 0, {}, in ? "is a folder" : "cannot be read", "give a file of results"});
-        return std::nullopt;
-    }
-    return readResults(std::string{std::istreambuf_iterator<char>(in), {}}, file, problems);
+    const auto text = readInput(file, kMaxJsonBytes, "measure less at a time", problems);
+    return text ? readResults(*text, inputName(file), problems) : std::nullopt;
 }
 
 std::vector<Results> readFiles(const std::vector<std::string>& files, Problems& problems) {
@@ -50,23 +46,21 @@ void checkOptions(const ReportOptions& options, Problems& problems) {
         problems.push_back(
             wrongOption("tolerance", toString(options.tolerance) + " is out of range", "use 0…99 per cent"));
     for (const std::string& file : {options.page, options.json})
-        if (!file.empty()) checkTextFile(file, problems);
+        if (!file.empty()) prepareOutput(file, problems);
 }
 
 int writePage(const ReportOptions& options, const std::vector<Results>& runs, Problems& problems) {
     if (options.page.empty()) return kDone;
-    if (!writeText(options.page, toHtml(runs), problems)) return fail(kInputWrong, problems);
+    if (!writeOutput(options.page, toHtml(runs), problems)) return fail(kInputWrong, problems);
     std::printf("%s written\n", options.page.c_str());
     return kDone;
 }
 
-void print(const Table& table) { std::printf("\n%s\n\n%s", table.title.c_str(), toMarkdown(table).c_str()); }
-
 /// The summary comes last, where a terminal's reader looks first.
 void print(const Results& comparison) {
     for (const auto& [name, value] : comparison.environment) std::printf("%-10s %s\n", name.c_str(), value.c_str());
-    for (std::size_t i = 1; i < comparison.tables.size(); ++i) print(comparison.tables[i]);
-    print(comparison.tables.front());
+    for (std::size_t i = 1; i < comparison.tables.size(); ++i) printTable(comparison.tables[i]);
+    printTable(comparison.tables.front());
 }
 
 /// The comparison comes first on the page, then both runs.
@@ -84,7 +78,7 @@ int compareFiles(const ReportOptions& options) {
                                                          " %, counts none");
     comparison.environment.emplace_back("confidence", "95 % for all intervals of a column together");
     print(comparison);
-    if (!options.json.empty() && !writeText(options.json, toJson(comparison), problems))
+    if (!options.json.empty() && !writeOutput(options.json, toJson(comparison), problems))
         return fail(kInputWrong, problems);
     runs.insert(runs.begin(), std::move(comparison));
     return writePage(options, runs, problems);
@@ -107,7 +101,8 @@ void addReport(CLI::App& app, Task& task) {
     command->add_option("FILES", options->files, "What `gnomon bench` and `gnomon lab` wrote with --json")
         ->type_name("")
         ->required();
-    command->add_option("-o,--output", options->page, "The page: one file that loads nothing")->type_name("FILE.html");
+    command->add_option("-o,--output", options->page, "The page: one file that loads nothing; - is standard output")
+        ->type_name("FILE.html");
     command
         ->add_option("--against", options->against,
                      "Says of each row whether it became faster or slower, better or worse")

@@ -85,12 +85,6 @@ std::string commandOf(const ShadowOptions& options) {
            " --repeats=" + std::to_string(options.plan.rounds) + " --context=" + options.lab.context;
 }
 
-void print(const Table& table) {
-    if (table.rows.empty()) return;
-    std::printf("\n%s\n\n%s", table.title.c_str(), toMarkdown(table).c_str());
-    std::fflush(stdout);
-}
-
 int labShadows(ShadowOptions options) {
     Problems problems;
     checkOptions(options, problems);
@@ -115,7 +109,7 @@ int labShadows(ShadowOptions options) {
         if (LabProgress::interrupted()) break;
         const auto costs = measureShadows(scene, options.plan, labClock(), progress, problems);
         if (!problems.empty()) return fail(kInputWrong, problems);
-        print(shadowTable(costs));
+        printTable(shadowTable(costs));
         if (!options.pictures.empty() && !writePictures(options.pictures, scene, options.plan, problems))
             return fail(kInputWrong, problems);
         measured.insert(measured.end(), costs.begin(), costs.end());
@@ -123,8 +117,8 @@ int labShadows(ShadowOptions options) {
     results.tables = {shadowTable(measured), variantTable(measured), rivalTable(measured)};
     results.charts = shadowCharts(measured);
     addShadowPictures(measured, results.environment.back().second, results);
-    print(results.tables[1]);
-    print(results.tables[2]);
+    printTable(results.tables[1]);
+    printTable(results.tables[2]);
     if (LabProgress::interrupted()) std::printf("\ninterrupted: what is done is kept\n");
     writeResults(options.lab, results, problems);
     return problems.empty() ? kDone : fail(kInputWrong, problems);

@@ -65,12 +65,6 @@ struct TraceResults {
     std::vector<GrowthCosts> growth;
 };
 
-void print(const Table& table) {
-    if (table.rows.empty()) return;
-    std::printf("\n%s\n\n%s", table.title.c_str(), toMarkdown(table).c_str());
-    std::fflush(stdout);
-}
-
 /// Their size, where files are written.
 std::optional<glm::ivec2> picturesFor(const TraceOptions& options, const Settings& settings,
                                       const std::vector<Loaded>& scenes) {
@@ -93,14 +87,14 @@ bool measure(const TraceOptions& options, const Settings& settings, const std::v
         if (LabProgress::interrupted()) break;
         const std::vector<ViewCosts> views = lab.measure(scene, progress, problems);
         if (!problems.empty()) return false;
-        print(viewTable(views));
+        printTable(viewTable(views));
         results.views.insert(results.views.end(), views.begin(), views.end());
     }
     for (const Arrangement arrangement : kArrangements) {
         if (LabProgress::interrupted()) break;
         const std::vector<GrowthCosts> growth = lab.measure(arrangement, options.spheres, progress, problems);
         if (!problems.empty()) return false;
-        print(growthTable(growth));
+        printTable(growthTable(growth));
         results.growth.insert(results.growth.end(), growth.begin(), growth.end());
     }
     return true;
@@ -108,7 +102,7 @@ bool measure(const TraceOptions& options, const Settings& settings, const std::v
 
 void printSummary(const TraceResults& results) {
     const Table choice = choiceTable(results.views, results.growth);
-    print(choice);
+    printTable(choice);
     const auto right = std::count_if(choice.rows.begin(), choice.rows.end(),
                                      [](const auto& row) { return row.back() == Cell(std::string("yes")); });
     std::printf("\n%s%d of %zu choices right%s\n", growthSummary(results.growth).c_str(), int(right),

@@ -1,17 +1,24 @@
 #include "native/file/asset_folder.h"
 
+#include "native/file/input_file.h"
+#include "tracer/png.h"
+#include "tracer/scene/json_document.h"
 #include "tracer/scene/read_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <fstream>
-#include <iterator>
+#include <span>
 
 namespace gnomon {
 
 namespace fs = std::filesystem;
 
 namespace {
+
+constexpr std::size_t kMostFileBytes = std::size_t(128) << 20;    ///< of an image
+constexpr std::size_t kMostDecodedBytes = std::size_t(512) << 20; ///< of all images of a scene together
 
 bool isFile(const fs::path& path) {
     std::error_code ignored;
@@ -23,12 +30,12 @@ bool isFolder(const fs::path& path) {
     return fs::is_directory(path, ignored);
 }
 
-std::optional<std::string> readBytes(const fs::path& path, Problems& problems) {
-    std::ifstream file(path, std::ios::binary);
-    std::string bytes{std::istreambuf_iterator<char>(file), {}};
-    if (file.is_open() && !file.bad()) return bytes;
-    problems.push_back({path.string(), 0, {}, "cannot be read", "check that the file exists and that you may read it"});
-    return std::nullopt;
+/// Memory that an image file's pixels take, as it says itself; 0 of a file that says nothing.
+std::uint64_t decodedBytes(const fs::path& file) {
+    std::array<char, kPngHeaderBytes> bytes{};
+    std::ifstream(file, std::ios::binary).read(bytes.data(), bytes.size());
+    const auto header = pngHeader({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    return header ? header->pixels() * 4 : 0;
 }
 
 /// Is `text` a path rather than a scene's name?
@@ -77,7 +84,8 @@ std::optional<fs::path> AssetFolder::fileOf(const std::string& nameOrFile, Probl
         const fs::path named = root_ / "scenes" / (nameOrFile + ".json");
         if (isFile(named)) return named;
     }
-    if (isFile(nameOrFile)) return nameOrFile;
+    std::error_code ignored;
+    if (nameOrFile == "-" || (fs::exists(nameOrFile, ignored) && !isFolder(nameOrFile))) return nameOrFile;
     if (isFolder(nameOrFile)) {
         problems.push_back({nameOrFile, 0, {}, "is a folder", "name a scene file in it"});
         return std::nullopt;
@@ -97,34 +105,50 @@ std::optional<fs::path> AssetFolder::fileOf(const std::string& nameOrFile, Probl
 std::optional<Scene> AssetFolder::readScene(const std::string& nameOrFile, Problems& problems) const {
     const auto file = fileOf(nameOrFile, problems);
     if (!file) return std::nullopt;
-    const auto text = readBytes(*file, problems);
-    return text ? gnomon::readScene(*text, file->string(), problems) : std::nullopt;
+    const auto text = readInput(file->string(), kMaxJsonBytes, "use a smaller scene", problems);
+    return text ? gnomon::readScene(*text, inputName(file->string()), problems) : std::nullopt;
 }
 
-std::optional<Image> AssetFolder::readImage(const Scene& scene, const std::string& name, Problems& problems) const {
-    std::vector<fs::path> places{fs::path(scene.file).parent_path() / (name + ".png"),
-                                 root_ / "textures" / (name + ".png")};
-    for (const auto& place : places) {
-        if (!isFile(place)) continue;
-        const auto bytes = readBytes(place, problems);
-        if (!bytes) return std::nullopt;
-        return decodeImage(place.string(), {reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()},
-                           problems);
-    }
-    problems.push_back({scene.file,
-                        0,
-                        {},
-                        "image '" + name + "' is missing",
-                        "put it at " + places[0].string() + " or " + places[1].string()});
+std::optional<fs::path> AssetFolder::imageFileOf(const Scene& scene, const std::string& name,
+                                                 Problems& problems) const {
+    // Beside the scene; one that came through a pipe stands in the folder that the program was started in.
+    const fs::path folder = isFile(scene.file) ? fs::path(scene.file).parent_path() : fs::path();
+    for (const auto& place : {folder / name, root_ / "textures" / name})
+        for (const char* ending : {".png", ".PNG"})
+            if (const fs::path file = place.string() + ending; isFile(file)) return file;
+    problems.push_back(
+        {scene.file,
+         0,
+         {},
+         "image '" + name + "' is missing",
+         "put it at " + (folder / name).string() + ".png or " + (root_ / "textures" / name).string() + ".png"});
     return std::nullopt;
 }
 
 std::optional<NamedImages> AssetFolder::readImages(const Scene& scene, Problems& problems) const {
+    const std::size_t before = problems.size();
+    std::vector<std::pair<std::string, fs::path>> files;
+    std::uint64_t decoded = 0;
+    for (const auto& name : imagesOf(scene))
+        if (const auto file = imageFileOf(scene, name, problems)) {
+            files.emplace_back(name, *file);
+            decoded += decodedBytes(*file);
+        }
+    if (decoded > kMostDecodedBytes)
+        problems.push_back({scene.file,
+                            0,
+                            {},
+                            "its images take " + std::to_string(decoded >> 20) + " MB; 512 MB are the most",
+                            "use fewer or smaller images"});
     NamedImages images;
-    const auto names = imagesOf(scene);
-    for (const auto& name : names)
-        if (auto image = readImage(scene, name, problems)) images.emplace_back(name, std::move(*image));
-    return images.size() == names.size() ? std::optional(std::move(images)) : std::nullopt;
+    for (const auto& [name, file] : files) {
+        if (decoded > kMostDecodedBytes) break;
+        const auto bytes = readInput(file.string(), kMostFileBytes, "use a smaller image", problems);
+        if (!bytes) continue;
+        const std::span span(reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size());
+        if (auto image = decodeImage(file.string(), span, problems)) images.emplace_back(name, std::move(*image));
+    }
+    return problems.size() == before ? std::optional(std::move(images)) : std::nullopt;
 }
 
 std::optional<Loaded> load(const std::string& nameOrFile, Problems& problems) {

@@ -26,12 +26,13 @@ class AssetFolder {
     std::vector<std::string> sceneNames() const;
     /// The scene called `nameOrFile`, else the file of that path, checked.
     std::optional<Scene> readScene(const std::string& nameOrFile, Problems&) const;
-    /// Every image the scene needs. With a problem for each that is missing or broken, and then nothing.
+    /// Every image the scene needs. With a problem for each that is missing or broken, and then nothing; more than
+    /// 512 MB together are refused before one is decoded.
     std::optional<NamedImages> readImages(const Scene&, Problems&) const;
 
   private:
     std::optional<std::filesystem::path> fileOf(const std::string& nameOrFile, Problems&) const;
-    std::optional<Image> readImage(const Scene&, const std::string& name, Problems&) const;
+    std::optional<std::filesystem::path> imageFileOf(const Scene&, const std::string& name, Problems&) const;
 
     std::filesystem::path root_;
 };

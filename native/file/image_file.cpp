@@ -1,12 +1,14 @@
 #include "native/file/image_file.h"
 
+#include "native/file/output_file.h"
+
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cctype>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 
 #include <tinyexr.h>
@@ -19,8 +21,6 @@
 #include <stb/stb_image_write.h>
 #pragma GCC diagnostic pop
 
-#include <unistd.h>
-
 namespace gnomon {
 
 namespace fs = std::filesystem;
@@ -29,7 +29,14 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "PFM and EXR rows are copied as they lie in memory");
 
-std::string extensionOf(const std::string& file) { return fs::path(file).extension().string(); }
+constexpr std::array<std::string_view, 3> kEndings{".png", ".pfm", ".exr"}; ///< in the order of ImageFormat
+
+/// In small letters: `.PNG` is what some systems call it.
+std::string extensionOf(const std::string& file) {
+    std::string ending = fs::path(file).extension().string();
+    for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
+    return ending;
+}
 
 void append(void* bytes, void* data, int size) {
     static_cast<std::string*>(bytes)->append(static_cast<const char*>(data), std::size_t(size));
@@ -76,21 +83,9 @@ std::string encodeExr(const FloatImage& image) {
     return {reinterpret_cast<const char*>(memory), size};
 }
 
-/// Through a temporary file beside it and a rename.
-bool writeWhole(const std::string& file, const std::string& bytes, Problems& problems) {
-    const fs::path draft = file + "." + std::to_string(getpid()) + ".part";
-    bool written = false;
-    if (!bytes.empty()) {
-        std::ofstream out(draft, std::ios::binary);
-        out.write(bytes.data(), std::streamsize(bytes.size()));
-        out.close();
-        written = !out.fail();
-    }
-    std::error_code error;
-    if (written) fs::rename(draft, file, error);
-    if (written && !error) return true;
-    fs::remove(draft, error);
-    problems.push_back({file, 0, {}, "cannot be written", "check the folder, its permissions and the free space"});
+bool writeEncoded(const std::string& file, const std::string& bytes, Problems& problems) {
+    if (!bytes.empty()) return writeOutput(file, bytes, problems);
+    problems.push_back({file, 0, {}, "the picture cannot be encoded", "try another format or a smaller size"});
     return false;
 }
 
@@ -104,37 +99,42 @@ std::string toPng(const Image& image) {
     return done ? bytes : std::string();
 }
 
-bool isPicture(const std::string& file) { return extensionOf(file) == ".png"; }
-
-bool checkImageFile(const std::string& file, Aov aov, Problems& problems) {
-    const std::string extension = extensionOf(file);
-    const auto refuse = [&](const std::string& what, const char* remedy) {
-        problems.push_back({file, 0, {}, what, remedy});
-        return false;
-    };
-    if (extension != ".png" && extension != ".pfm" && extension != ".exr")
-        return refuse("the picture's format is unknown", "end the name with .png, .pfm or .exr");
+std::optional<ImageFormat> checkImageFile(const std::string& file, std::string_view named, Aov aov,
+                                          Problems& problems) {
+    std::string ending = named.empty() ? extensionOf(file) : "." + std::string(named);
+    if (named.empty() && isStream(file)) ending = ".png";
+    const auto found = std::find(kEndings.begin(), kEndings.end(), ending);
+    if (found == kEndings.end()) {
+        if (named.empty())
+            problems.push_back(
+                {file, 0, {}, "the picture's format is unknown", "end the name with .png, .pfm or .exr"});
+        else
+            problems.push_back(
+                {"command line", 0, "format", inQuotes(named) + " is none of png|pfm|exr", "use one of them"});
+        return std::nullopt;
+    }
+    const auto format = ImageFormat(found - kEndings.begin());
     const bool shown = aov == Aov::Color || aov == Aov::Normal || aov == Aov::Visibility;
-    if (isPicture(file) && !shown) {
+    if (format == ImageFormat::Png && !shown) {
         Settings settings;
         settings.aov = aov;
-        return refuse("a PNG cannot hold " + textOf(*findSetting("aov"), settings) + ", whose numbers leave [0, 1]",
-                      "use .pfm or .exr");
+        problems.push_back(
+            {file,
+             0,
+             {},
+             "a PNG cannot hold " + textOf(*findSetting("aov"), settings) + ", whose values leave [0, 1]",
+             "use .pfm or .exr"});
+        return std::nullopt;
     }
-    const fs::path folder = fs::path(file).parent_path();
-    std::error_code ignored;
-    if (!folder.empty() && !fs::is_directory(folder, ignored))
-        return refuse("there is no folder " + folder.string(), "make it first");
-    if (fs::is_directory(file, ignored)) return refuse("is a folder", "name a file");
-    return true;
+    return prepareOutput(file, problems) ? std::optional(format) : std::nullopt;
 }
 
-bool writeImage(const std::string& file, const FloatImage& image, Problems& problems) {
-    return writeWhole(file, extensionOf(file) == ".pfm" ? encodePfm(image) : encodeExr(image), problems);
+bool writeImage(const std::string& file, ImageFormat format, const FloatImage& image, Problems& problems) {
+    return writeEncoded(file, format == ImageFormat::Pfm ? encodePfm(image) : encodeExr(image), problems);
 }
 
 bool writeImage(const std::string& file, const Image& image, Problems& problems) {
-    return writeWhole(file, toPng(image), problems);
+    return writeEncoded(file, toPng(image), problems);
 }
 
 } // namespace gnomon

@@ -2,9 +2,6 @@
 
 #include "native/report/report_files.h"
 
-#include <filesystem>
-#include <fstream>
-
 namespace gnomon {
 namespace {
 
@@ -30,27 +27,6 @@ std::string toHtml(std::span<const Results> runs) {
     put(page, "/*report*/", std::string(reportFile("report.js")));
     put(page, "/*results*/", inScript(list + "]"));
     return page;
-}
-
-bool checkTextFile(const std::string& file, Problems& problems) {
-    const std::filesystem::path path(file), folder = path.parent_path();
-    std::error_code ignored;
-    const auto refuse = [&](const std::string& what, const char* remedy) {
-        problems.push_back({file, 0, {}, what, remedy});
-        return false;
-    };
-    if (!folder.empty() && !std::filesystem::is_directory(folder, ignored))
-        return refuse("there is no folder " + folder.string(), "make it first");
-    if (std::filesystem::is_directory(path, ignored)) return refuse("is a folder", "name a file");
-    return true;
-}
-
-bool writeText(const std::string& file, const std::string& text, Problems& problems) {
-    std::ofstream out(file, std::ios::binary);
-    out << text;
-    if (out.flush()) return true;
-    problems.push_back({file, 0, {}, "cannot be written", "choose a folder that exists and may be written to"});
-    return false;
 }
 
 } // namespace gnomon

@@ -38,7 +38,7 @@ struct Search$Shape {
 Search$Shape start$Shape(Ray ray) {
     Search$Shape search;
 #if $SHAPE_LATTICE
-    search.lattice = enterGrid(lattice$Shape(), vec3(k$ShapeLatticeX, k$ShapeLatticeY, k$ShapeLatticeZ), ray);
+    search.lattice = enterGrid(loadGrid(k$ShapeLattice), vec3(k$ShapeLatticeX, k$ShapeLatticeY, k$ShapeLatticeZ), ray);
 #endif
 #if $SHAPE_SEARCH == HIERARCHY
     search.boxes = quantisedRay(k$ShapeQuantisation, ray);
@@ -53,7 +53,7 @@ Search$Shape start$Shape(Ray ray) {
     // Always true. Without it GPUs load all balls at once, and have no registers for so many.
     if (frame.zero.x == 0u) {
 #for Bit in $SHAPE_SPHERE_MASK_$PART
-        bool passes$Bit = passesBy(ray, padded, ball$Shape$Bit());
+        bool passes$Bit = passesBy(ray, padded, ball$Shape(object$Shape(k$ShapeLoose + $Bit)));
         search.mask |= passes$Bit ? 0u : 1u << $Bitu;
 #endfor
     }
@@ -87,7 +87,7 @@ int next$Shape(inout Search$Shape search, Ray ray, float t) {
         int listed = takeListed(search.cells);
         if (listed < 0) continue;
         int index = k$ShapeLoose + listed;
-        if (listed == self || !passesBy(ray, ball$Shape(load$Shape(k$ShapeBase + index * k$ShapeTexels)))) return index;
+        if (listed == self || !passesBy(ray, ball$Shape(object$Shape(index)))) return index;
     }
 #else
     if (search.mask != 0u) {

@@ -1,5 +1,5 @@
 // LargeSphere: a sphere that is huge beside what is seen of it, as the ground under things. Scene files say "sphere";
-// one that is huge for its scene is drawn as this (drawnKinds() in tracer/scene/scene.h).
+// one that is huge for its scene is drawn as this (drawnKinds() in tracer/plan/drawn.h).
 //
 // distanceLargeSphere   gradient and signed distance; about the centre some direction
 // intersectLargeSphere  nearest t in (ray.tMin, t); from inside the far side

@@ -58,11 +58,9 @@ vec4 distanceTriangle(Triangle triangle, vec3 p, vec3 from) {
 #endif
 
 // Of the box about all triangles of the scene: their texels carry it along.
-vec3 loadMiddleOfTriangles() {
+vec3 middleOfTriangles() {
     return vec3(sceneTexel(kTriangleBase).w, sceneTexel(kTriangleBase + 1).w, sceneTexel(kTriangleBase + 2).w);
 }
-
-#include "software/middle_of_triangles.glsl"
 
 // How points are seen along a ray: along the axis where its direction is largest, and across it.
 struct Shear {

@@ -11,7 +11,11 @@ ivec3 work = ivec3(0);
 #for Shape in SHAPES
 #include "primitive/$shape.glsl"
 #endfor
-#include "software/cached_loads.glsl"
+
+#for Shape in SHAPES
+$Shape object$Shape(int index) { return load$Shape(k$ShapeBase + index * k$ShapeTexels); }
+#endfor
+
 #if SEARCHES
 #include "accel/search.glsl"
 #endif

@@ -2,10 +2,7 @@
 // files call it in the places below, one line each; with its feature off (tracer/plan/codegen_target.h) each call is
 // what a GPU would be given anyway.
 //
-// beforePixel, afterPixel   pass/trace.frag                     PRELOADS, CACHED_LOADS, FALLBACK
-// objectTYPE                ray/nearest.glsl                    CACHED_LOADS: cached_loads.glsl
-// latticeTYPE, ballTYPEi    accel/search.glsl                   CACHED_LOADS: cached_loads.glsl
-// middleOfTriangles         primitive/triangle.glsl             CACHED_LOADS: middle_of_triangles.glsl
+// beforePixel, afterPixel   pass/trace.frag                     PRELOADS, FALLBACK
 // lightPosition             integrator/shadow_rays.glsl         PRELOADS: light_position.glsl
 // fallsBack                 integrator/whitted.glsl and shadow_rays.glsl   FALLBACK: fallback.glsl
 // noteUncommon              ray/nearest.glsl                    FALLBACK: fallback.glsl
@@ -20,9 +17,6 @@ vec4 preloaded;
 #endif
 
 void beforePixel() {
-#if CACHED_LOADS
-    cacheLoads();
-#endif
 #if PRELOADS
     preloaded = preload();
 #endif

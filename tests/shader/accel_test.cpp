@@ -8,7 +8,9 @@
 #include "tests/support/clouds.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
+#include "tracer/plan/drawn.h"
 #include "tracer/plan/plan.h"
+#include "tracer/plan/shape_texels.h"
 #include "tracer/software/tuning.h"
 
 #include <gtest/gtest.h>
@@ -211,21 +213,21 @@ TEST(Hierarchies, LeaveCloudsOfSpheresAsTheyAre) {
     expectAlike(studio(onTheGround(500)), kAround, 50);
 }
 
-glm::dvec4 unit(Dice& dice) { return glm::dvec4(glm::normalize(dice.point(1) + glm::dvec3(1e-6)), 0); }
+glm::dvec3 unit(Dice& dice) { return glm::normalize(dice.point(1) + glm::dvec3(1e-6)); }
 
 /// One of any bounded kind, of about that size.
 Shape anyShape(Dice& dice, ShapeKind kind, double size) {
-    const glm::dvec4 place(dice.point(1), 0), along = place + size * unit(dice);
-    const glm::dvec4 radius(0, 0, 0, size * dice.number(0.2, 0.7));
+    const glm::dvec3 at = dice.point(1), along = at + size * unit(dice);
+    const double radius = size * dice.number(0.2, 0.7);
     switch (kind) {
-    case ShapeKind::Disc: return {kind, {place + radius, unit(dice), {}}};
-    case ShapeKind::Triangle: return {kind, {place, along, place + size * unit(dice)}};
-    case ShapeKind::Torus: return {kind, {place + radius, unit(dice) + 0.3 * radius, {}}};
-    case ShapeKind::Box: return {kind, {place, glm::dvec4(size * glm::abs(dice.point(0.5)) + 0.01 * size, 0), {}}};
+    case ShapeKind::Disc: return makeShape(kind, {at, unit(dice)}, {radius});
+    case ShapeKind::Triangle: return makeShape(kind, {at, along, at + size * unit(dice)});
+    case ShapeKind::Torus: return makeShape(kind, {at, unit(dice)}, {radius, 0.3 * radius});
+    case ShapeKind::Box: return makeShape(kind, {at, size * glm::abs(dice.point(0.5)) + 0.01 * size});
     case ShapeKind::Cylinder:
     case ShapeKind::Capsule:
-    case ShapeKind::Cone: return {kind, {place + radius, along, {}}};
-    default: return sphere(glm::dvec3(place), radius.w);
+    case ShapeKind::Cone: return makeShape(kind, {at, along}, {radius});
+    default: return sphere(at, radius);
     }
 }
 
@@ -241,7 +243,7 @@ TEST_P(CloudOf, IsTheSameWithHierarchies) {
 INSTANTIATE_TEST_SUITE_P(Kinds, CloudOf,
                          testing::Values(ShapeKind::Disc, ShapeKind::Triangle, ShapeKind::Torus, ShapeKind::Box,
                                          ShapeKind::Cylinder, ShapeKind::Capsule, ShapeKind::Cone),
-                         [](const auto& test) { return std::string(shapeRow(test.param).type); });
+                         [](const auto& test) { return glslTypeOf(test.param); });
 
 // Several kinds that each have a hierarchy, and one of each kind that has none beside them.
 TEST(Hierarchies, LeaveAMixedCloudAsItIs) {
@@ -253,7 +255,7 @@ TEST(Hierarchies, LeaveAMixedCloudAsItIs) {
         shapes.push_back(anyShape(dice, kinds[i % 7], 0.3));
     }
     shapes.push_back(anyShape(dice, ShapeKind::Cylinder, 0.3));
-    shapes.push_back({ShapeKind::Plane, {glm::dvec4(0, -1.2, 0, 0), glm::dvec4(0, 1, 0, 0), {}}});
+    shapes.push_back(makeShape(ShapeKind::Plane, {{0, -1.2, 0}, {0, 1, 0}}));
     expectAlike(studio(shapes), kAround, 80);
 }
 
@@ -281,7 +283,8 @@ TEST(Cells, LeaveACloudThatMovesAsItIs) {
 
 TEST(Cells, LeaveLargeAndSmallObjectsAsTheyAre) {
     std::vector<Shape> shapes = inACube(600, 0.6);
-    for (std::size_t i = 0; i < 6; ++i) shapes[100 * i].texels[0].w *= 6; // in many cells
+    for (std::size_t i = 0; i < 6; ++i)
+        setLength(shapes[100 * i], "radius", 6 * lengthOf(shapes[100 * i], "radius")); // in many cells
     EXPECT_TRUE(hasCells(studio(shapes)));
     expectAlike(studio(shapes), kAround, 100);
 }
@@ -309,7 +312,7 @@ TEST(Distances, OfALatticeAreTheSameFromTheNearestCell) {
 }
 
 Scene overGround(std::vector<Shape> shapes) {
-    shapes.push_back({ShapeKind::Plane, {glm::dvec4(0, -1.2, 0, 0), glm::dvec4(0, 1, 0, 0), {}}});
+    shapes.push_back(makeShape(ShapeKind::Plane, {{0, -1.2, 0}, {0, 1, 0}}));
     return studio(shapes);
 }
 
@@ -359,7 +362,7 @@ TEST(Silhouettes, OfACloudAreAlmostTheSameFromAHierarchy) {
 
 TEST(Hierarchies, LeaveAFanOfTrianglesAsItIs) {
     const oracle::Fan fan({0, 0, 0});
-    const auto middle = glm::dvec3(fan.triangles()[0].texels[0]);
+    const auto middle = vertexOf(fan.triangles()[0], 0);
     const Scene scene = studio(fan.triangles());
     expectAlike(scene, {{{0.3, 0.8, 3.2}, {0, 0, 0}}, {{0, 0, 40}, middle, 0, 1}, {{0.01, 3, 0.02}, {0, 0, 0}}}, 6);
 }
@@ -367,17 +370,17 @@ TEST(Hierarchies, LeaveAFanOfTrianglesAsItIs) {
 /// A level grid of triangles, two a square; `heights` above y = 0 at most.
 std::vector<Shape> grid(int side, glm::dvec3 corner, double size, double heights) {
     Dice dice(22);
-    std::vector<glm::dvec4> places;
+    std::vector<glm::dvec3> points;
     for (int z = 0; z <= side; ++z)
         for (int x = 0; x <= side; ++x)
-            places.emplace_back(
-                corner + size * glm::dvec3(x, 0, z) / double(side) + glm::dvec3(0, dice.number(0, heights), 0), 0);
-    const auto at = [&](int x, int z) { return places[std::size_t(z * (side + 1) + x)]; };
+            points.push_back(corner + size * glm::dvec3(x, 0, z) / double(side) +
+                             glm::dvec3(0, dice.number(0, heights), 0));
+    const auto at = [&](int x, int z) { return points[std::size_t(z * (side + 1) + x)]; };
     std::vector<Shape> shapes;
     for (int z = 0; z < side; ++z)
         for (int x = 0; x < side; ++x) {
-            shapes.push_back({ShapeKind::Triangle, {at(x, z), at(x, z + 1), at(x + 1, z)}});
-            shapes.push_back({ShapeKind::Triangle, {at(x + 1, z), at(x, z + 1), at(x + 1, z + 1)}});
+            shapes.push_back(makeShape(ShapeKind::Triangle, {at(x, z), at(x, z + 1), at(x + 1, z)}));
+            shapes.push_back(makeShape(ShapeKind::Triangle, {at(x + 1, z), at(x, z + 1), at(x + 1, z + 1)}));
         }
     return shapes;
 }
@@ -412,9 +415,9 @@ TEST(Hierarchies, LeaveALargeGridSeenAlongItselfAsItIs) {
 // Of objects at one distance the first is met, with hierarchies and without.
 TEST(Hierarchies, MeetTheFirstOfTwoAtOnePlace) {
     const Shape ball = sphere({-1, 0, 0}, 0.5), other = sphere({-1, 0.1, 0}, 0.3);
-    const Shape triangle{ShapeKind::Triangle, {glm::dvec4(0.2, -0.5, 0, 0), {1, -0.5, 0, 0}, {0.6, 0.6, 0, 0}}};
-    const Shape disc{ShapeKind::Disc, {glm::dvec4(0, 0, -1, 1.5), {0, 0, 1, 0}, {}}};
-    const Shape plane{ShapeKind::Plane, {glm::dvec4(0, 0, -1, 0), {0, 0, 1, 0}, {}}};
+    const Shape triangle = makeShape(ShapeKind::Triangle, {{0.2, -0.5, 0}, {1, -0.5, 0}, {0.6, 0.6, 0}});
+    const Shape disc = makeShape(ShapeKind::Disc, {{0, 0, -1}, {0, 0, 1}}, {1.5});
+    const Shape plane = makeShape(ShapeKind::Plane, {{0, 0, -1}, {0, 0, 1}});
     const std::vector<Shape> shapes{ball, other,    ball, triangle, disc,  plane, triangle,
                                     ball, triangle, disc, disc,     other, ball,  other};
     Scene scene = studio(shapes);

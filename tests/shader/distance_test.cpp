@@ -11,6 +11,7 @@
 #include "lab/reference/exact/scene_hit.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
+#include "tracer/plan/drawn.h"
 #include "tracer/plan/prepared_scene.h"
 
 #include <gtest/gtest.h>
@@ -72,8 +73,7 @@ class Points {
         : body_(placed), stream_(placed, RayClass::Uniform, 3, 21), axis_(body_.axis()) {
         if (length(axis_) == 0) axis_ = {0, 0, 1};
         std::set<double> measures{0};
-        for (const glm::dvec4& texel : placed.texels)
-            for (int i = 0; i < 4; ++i) measures.insert({texel[i], -texel[i]});
+        for (const double value : placed.values) measures.insert({value, -value});
         if (placed.kind == ShapeKind::Torus)
             for (const double side : {-1.0, 1.0})
                 for (const double tube : {-1.0, 1.0}) measures.insert(side * (body_.radius() + tube * body_.minor()));
@@ -314,11 +314,11 @@ struct Ground {
         return center + (radius + height) * (std::cos(angle) * up + std::sin(angle) * along);
     }
     Scene scene() const {
-        Scene scene = sceneOf({{ShapeKind::Sphere, {glm::dvec4(center.x, center.y, center.z, double(radius))}}});
-        const auto held = [](const Point& p) { return glm::dvec3(p.x, p.y, p.z); };
-        scene.camera.eye = held(over(0, radius / 1000));
-        scene.camera.target = held(over(0, 0));
-        scene.camera.up = held(along);
+        const auto inDouble = [](const Point& p) { return glm::dvec3(p.x, p.y, p.z); };
+        Scene scene = sceneOf({makeShape(ShapeKind::Sphere, {inDouble(center)}, {double(radius)})});
+        scene.camera.eye = inDouble(over(0, radius / 1000));
+        scene.camera.target = inDouble(over(0, 0));
+        scene.camera.up = inDouble(along);
         return scene;
     }
 };
@@ -336,7 +336,7 @@ TEST_P(LargeSphereDistance, IsTheOraclesNearItsAnchorAndFarFromIt) {
     Problems problems;
     DistanceBatch batch(scene, problems);
     ASSERT_TRUE(batch.valid()) << toString(problems);
-    RayStream stream({ShapeKind::Sphere, {glm::dvec4(0, 0, 0, 1)}}, RayClass::Uniform, 3, 31);
+    RayStream stream(makeShape(ShapeKind::Sphere, {{0, 0, 0}}, {1}), RayClass::Uniform, 3, 31);
     std::vector<BatchPoint> points(std::size_t(pointsAShape()), BatchPoint{});
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Real height = std::pow(10.0, stream.number(-4, 2)) * (stream.number(0, 1) < 0.3 ? -1 : 1);

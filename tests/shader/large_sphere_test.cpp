@@ -10,6 +10,7 @@
 #include "tests/support/large_ground.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
+#include "tracer/plan/drawn.h"
 
 #include <gtest/gtest.h>
 

@@ -129,7 +129,7 @@ TEST_P(RingCover, IsWhatRaysSee) {
     Dice dice(unsigned(from) * 100 + unsigned(minor * 64));
     const glm::dvec3 axis = glm::dvec3(glm::vec3(dice.direction()));
     const Ring ring{{0.25, -0.5, 1}, axis / glm::length(axis), 1, minor};
-    const Shape shape{ShapeKind::Torus, {glm::dvec4(ring.center, ring.major), glm::dvec4(ring.axis, ring.minor)}};
+    const Shape shape = makeShape(ShapeKind::Torus, {ring.center, ring.axis}, {ring.major, ring.minor});
     constexpr int places = 400, rays = 4096;
     std::vector<Place> all;
     std::vector<BatchLit> lit;

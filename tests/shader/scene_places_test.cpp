@@ -38,10 +38,7 @@ Scene scaled(Scene scene, double factor) {
     for (Object& object : scene.objects)
         for (const ShapeField& field : shapeRow(object.shape.kind).fields) {
             if (field.type == FieldType::Direction) continue;
-            const int texels = field.type == FieldType::Vertices ? 3 : 1, one = field.type == FieldType::Length;
-            for (int i = 0; i < texels; ++i)
-                for (int c = field.component; c < field.component + (one ? 1 : 3); ++c)
-                    object.shape.texels[std::size_t(field.texel + i)][c] *= factor;
+            for (double& value : valuesOf(object.shape, field.key)) value *= factor;
         }
     for (Light& light : scene.lights) light.position *= factor;
     scene.camera.eye *= factor;
@@ -85,14 +82,14 @@ Scene shinyStillLife() {
     return scene;
 }
 
-Scene stillLifeOn(ShapeKind kind, glm::dvec4 first, glm::dvec4 second) {
+Scene stillLifeOn(const Shape& ground) {
     Scene scene = plainStillLife();
-    scene.objects[0].shape = {kind, {first, second, glm::dvec4(0)}};
+    scene.objects[0].shape = ground;
     return scene;
 }
-Scene stillLifeOnALargeSphere() { return stillLifeOn(ShapeKind::Sphere, {0, -10000, 0, 10000}, {0, 0, 0, 0}); }
+Scene stillLifeOnALargeSphere() { return stillLifeOn(makeShape(ShapeKind::Sphere, {{0, -10000, 0}}, {10000})); }
 /// Slanted; it passes through the middle of the floor that it replaces.
-Scene stillLifeOnAPlane() { return stillLifeOn(ShapeKind::Plane, {0, 0, 0, 0}, {0.28, 0.96, 0, 0}); }
+Scene stillLifeOnAPlane() { return stillLifeOn(makeShape(ShapeKind::Plane, {{0, 0, 0}, {0.28, 0.96, 0}})); }
 
 const Variant kVariants[] = {{"plain", plainStillLife},
                              {"shiny", shinyStillLife},

@@ -82,11 +82,11 @@ std::vector<double> visibilities(const std::vector<Shape>& shapes, const std::ve
     return answers;
 }
 
-Shape make(ShapeKind kind, std::array<glm::dvec4, kMaxShapeTexels> texels) { return {kind, texels}; }
 Shape box(glm::dvec3 low, glm::dvec3 high) {
-    return make(ShapeKind::Box, {glm::dvec4(0.5 * (low + high), 0), glm::dvec4(0.5 * (high - low), 0)});
+    return makeShape(ShapeKind::Box, {0.5 * (low + high), 0.5 * (high - low)});
 }
-Shape ball(glm::dvec3 center, double radius) { return make(ShapeKind::Sphere, {glm::dvec4(center, radius)}); }
+Shape ball(glm::dvec3 center, double radius) { return makeShape(ShapeKind::Sphere, {center}, {radius}); }
+Shape plane(glm::dvec3 point, glm::dvec3 normal) { return makeShape(ShapeKind::Plane, {point, normal}); }
 
 /// Receivers moved along x so that an edge at x = 0 and the height lies at -1.3 … 1.3 discs, for every radius; each
 /// against `exact(x of the edge, slope)`.
@@ -106,7 +106,7 @@ void expectAlong(const std::vector<Shape>& shapes, double height, double bound,
 }
 
 TEST(Silhouette, OfAPlaneIsAHalfPlane) {
-    expectAlong({make(ShapeKind::Plane, {glm::dvec4(0), glm::dvec4(1, 0, 0, 0)})}, kHigh, kAlone,
+    expectAlong({plane({0, 0, 0}, {1, 0, 0})}, kHigh, kAlone,
                 [](double x, double slope) { return 1 - tau(std::abs(x) / (kHigh * slope)); });
 }
 
@@ -151,9 +151,7 @@ TEST(Silhouette, OfACornerIsAQuadrant) {
 TEST(Silhouette, OfCrossingPlanesLeavesAQuadrant) {
     for (const double y : {-0.6, -0.2})
         expectAlong(
-            {make(ShapeKind::Plane, {glm::dvec4(0), glm::dvec4(1, 0, 0, 0)}),
-             make(ShapeKind::Plane, {glm::dvec4(0), glm::dvec4(0, 1, 0, 0)})},
-            kHigh, kUnited,
+            {plane({0, 0, 0}, {1, 0, 0}), plane({0, 0, 0}, {0, 1, 0})}, kHigh, kUnited,
             [&](double x, double slope) { return quadrant(-std::abs(x) / (kHigh * slope), -std::abs(y)); }, y);
 }
 
@@ -162,17 +160,17 @@ TEST(Silhouette, OfAWedgeOnTheAxisIsItsAngle) {
         std::vector<BatchLit> lit;
         for (const double radius : kRadii) lit.push_back(lookingUp({0, 0, 0}, radius));
         const double a = opening / 2;
-        const auto answers = visibilities(
-            {make(ShapeKind::Triangle, {glm::dvec4(0, 0, 3, 0), glm::dvec4(900 * std::cos(a), -900 * std::sin(a), 3, 0),
-                                        glm::dvec4(900 * std::cos(a), 900 * std::sin(a), 3, 0)})},
-            lit);
+        const auto answers = visibilities({makeShape(ShapeKind::Triangle, {{0, 0, 3},
+                                                                           {900 * std::cos(a), -900 * std::sin(a), 3},
+                                                                           {900 * std::cos(a), 900 * std::sin(a), 3}})},
+                                          lit);
         for (const double answer : answers) EXPECT_NEAR(answer, 1 - opening / (2 * kPi), kAlone) << opening;
     }
 }
 
 TEST(Silhouette, OfADiscIsALens) {
     for (const double size : {0.3, 1.0, 3.0})
-        expectAlong({make(ShapeKind::Disc, {glm::dvec4(0, 0, 3, size), glm::dvec4(0, 0, 1, 0)})}, 3, kRound,
+        expectAlong({makeShape(ShapeKind::Disc, {{0, 0, 3}, {0, 0, 1}}, {size})}, 3, kRound,
                     [&](double x, double slope) { return 1 - lens(size / (3 * slope), std::abs(x) / (3 * slope)); });
 }
 
@@ -259,22 +257,24 @@ INSTANTIATE_TEST_SUITE_P(Shapes, SilhouetteOf, testing::ValuesIn(subjects()),
 std::vector<Shape> crowd(std::uint64_t seed, int count) {
     RayStream dice(ball({0, 0, 0}, 1), RayClass::Uniform, 3, seed);
     const auto point = [&](double reach) {
-        return glm::dvec4(dice.number(-reach, reach), dice.number(-reach, reach), dice.number(-reach, reach), 0);
+        return glm::dvec3(dice.number(-reach, reach), dice.number(-reach, reach), dice.number(-reach, reach));
     };
     std::vector<Shape> shapes;
     for (int i = 0; i < count; ++i) {
-        const glm::dvec4 center = point(0.9), end = center + point(0.5);
+        const glm::dvec3 center = point(0.9), end = center + point(0.5);
         const double size = dice.number(0.15, 0.5);
         const Vec3<double> up = dice.direction();
-        const glm::dvec4 axis(up.x, up.y, up.z, 0), width(0, 0, 0, size);
+        const glm::dvec3 axis(up.x, up.y, up.z);
         switch (int(dice.number(0, 7))) {
-        case 0: shapes.push_back(make(ShapeKind::Sphere, {center + width})); break;
-        case 1: shapes.push_back(make(ShapeKind::Disc, {center + width, axis})); break;
-        case 2: shapes.push_back(make(ShapeKind::Triangle, {center, center + point(0.7), center + point(0.7)})); break;
-        case 3: shapes.push_back(make(ShapeKind::Box, {center, glm::dvec4(size, 0.5 * size, 0.2, 0)})); break;
-        case 4: shapes.push_back(make(ShapeKind::Cylinder, {center + 0.5 * width, end})); break;
-        case 5: shapes.push_back(make(ShapeKind::Capsule, {center + 0.5 * width, end})); break;
-        default: shapes.push_back(make(ShapeKind::Cone, {center + width, end})); break;
+        case 0: shapes.push_back(ball(center, size)); break;
+        case 1: shapes.push_back(makeShape(ShapeKind::Disc, {center, axis}, {size})); break;
+        case 2:
+            shapes.push_back(makeShape(ShapeKind::Triangle, {center, center + point(0.7), center + point(0.7)}));
+            break;
+        case 3: shapes.push_back(makeShape(ShapeKind::Box, {center, {size, 0.5 * size, 0.2}})); break;
+        case 4: shapes.push_back(makeShape(ShapeKind::Cylinder, {center, end}, {0.5 * size})); break;
+        case 5: shapes.push_back(makeShape(ShapeKind::Capsule, {center, end}, {0.5 * size})); break;
+        default: shapes.push_back(makeShape(ShapeKind::Cone, {center, end}, {size})); break;
         }
     }
     return shapes;
@@ -308,14 +308,13 @@ TEST(Silhouette, IsOfWhatLiesBetweenPointAndLightOnly) {
                                    ball({0, 0, 8}, 1.5),
                                    box({-1, -1, 7}, {1, 1, 8}),
                                    box({-1, -1, -3}, {1, 1, -1}),
-                                   make(ShapeKind::Plane, {glm::dvec4(0, 0, 9, 0), glm::dvec4(0, 0, 1, 0)}),
-                                   make(ShapeKind::Disc, {glm::dvec4(0, 0, 6.5, 2), glm::dvec4(0, 0, 1, 0)}),
-                                   make(ShapeKind::Capsule, {glm::dvec4(-1, 0, -1, 0.5), glm::dvec4(1, 0, -1, 0)}),
-                                   make(ShapeKind::Torus, {glm::dvec4(0, 0, -2, 1), glm::dvec4(0, 0, 1, 0.5)})};
+                                   plane({0, 0, 9}, {0, 0, 1}),
+                                   makeShape(ShapeKind::Disc, {{0, 0, 6.5}, {0, 0, 1}}, {2}),
+                                   makeShape(ShapeKind::Capsule, {{-1, 0, -1}, {1, 0, -1}}, {0.5}),
+                                   makeShape(ShapeKind::Torus, {{0, 0, -2}, {0, 0, 1}}, {1, 0.5})};
     for (const double answer : visibilities(apart, lit)) EXPECT_NEAR(answer, 1, 1e-6);
-    for (const Shape& whole :
-         {ball({0, 0, 3}, 2.9), box({-20, -20, 3}, {20, 20, 9}), box({-20, -20, -9}, {20, 20, 2}), ball({0, 0, 0.5}, 1),
-          make(ShapeKind::Plane, {glm::dvec4(0, 0, 1, 0), glm::dvec4(0, 0, 1, 0)})})
+    for (const Shape& whole : {ball({0, 0, 3}, 2.9), box({-20, -20, 3}, {20, 20, 9}), box({-20, -20, -9}, {20, 20, 2}),
+                               ball({0, 0, 0.5}, 1), plane({0, 0, 1}, {0, 0, 1})})
         for (const double answer : visibilities({whole}, lit)) EXPECT_NEAR(answer, 0, 1e-4);
 }
 
@@ -351,10 +350,9 @@ TEST(Silhouette, DoesNotKnowTheSceneScale) {
     for (const double scale : {1e-3, 1024.0}) {
         auto larger = crowd(3, 5);
         for (Shape& shape : larger)
-            for (std::size_t i = 0; i < shape.texels.size(); ++i) {
-                const bool direction = shape.kind == ShapeKind::Disc && i == 1;
-                if (!direction) shape.texels[i] *= scale;
-            }
+            for (const ShapeField& field : shapeRow(shape.kind).fields)
+                for (double& value : valuesOf(shape, field.key))
+                    if (field.type != FieldType::Direction) value *= scale;
         auto moved = lit;
         for (BatchLit& one : moved) one.point *= scale, one.light *= scale, one.radius *= float(scale);
         const auto after = visibilities(larger, moved);

@@ -23,7 +23,6 @@ Scene sceneOf(const SolidExample& solid) {
 }
 
 const SolidNode& treeOf(const Scene& scene) { return scene.objects[0].shape.solid->root; }
-glm::dvec4 ballOf(const Scene& scene) { return scene.objects[0].shape.texels[0]; }
 
 glm::dvec3 slopeOf(const SolidNode& tree, glm::dvec3 p) {
     const double h = 1e-5;
@@ -50,11 +49,12 @@ bool smoothAt(const SolidNode& tree, glm::dvec3 p) {
 std::vector<BatchPoint> pointsAbout(const Scene& scene, int count) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> place(-1.4, 1.4);
-    const glm::dvec4 ball = ballOf(scene);
+    const Shape& solid = scene.objects[0].shape;
+    const glm::dvec3 center = pointOf(solid, "center");
+    const double radius = lengthOf(solid, "radius");
     std::vector<BatchPoint> points;
     for (int i = 0; i < count; ++i)
-        points.push_back(
-            {glm::vec3(glm::dvec3(ball) + ball.w * glm::dvec3(place(random), place(random), place(random)))});
+        points.push_back({glm::vec3(center + radius * glm::dvec3(place(random), place(random), place(random)))});
     return points;
 }
 
@@ -77,7 +77,8 @@ TEST_P(Solids, TellTheFieldOfTheirTree) {
     int smooth = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const glm::dvec3 p(points[i].p);
-        ASSERT_NEAR(answers[i].distance, oracle::fieldOf(tree, p), roundings * 0x1p-23 * 2 * ballOf(scene_).w)
+        ASSERT_NEAR(answers[i].distance, oracle::fieldOf(tree, p),
+                    roundings * 0x1p-23 * 2 * lengthOf(scene_.objects[0].shape, "radius"))
             << "point " << i;
         if (estimated_ || i % 8 != 0 || !smoothAt(tree, p)) continue;
         ++smooth;

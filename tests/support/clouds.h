@@ -27,9 +27,9 @@ class Dice {
 
 using Spheres = std::vector<Shape>;
 
-/// Of float32 numbers.
+/// Of float32 values.
 inline Shape sphere(glm::dvec3 center, double radius) {
-    return {ShapeKind::Sphere, {glm::dvec4(glm::vec3(center), float(radius)), glm::dvec4(0), glm::dvec4(0)}};
+    return inFloat(makeShape(ShapeKind::Sphere, {center}, {radius}));
 }
 
 /// In a cube of half side 1. `cover` is how many of them a line through the middle meets, whatever their number.
@@ -109,8 +109,10 @@ struct Ray {
 /// From up to `distance` away from `middle`, towards some place within 1 of it or past one of the spheres.
 inline Ray rayAmong(Dice& dice, const Spheres& balls, double distance, glm::dvec3 middle = glm::dvec3(0)) {
     const glm::dvec3 from = middle + dice.point(1) * distance;
-    const glm::dvec4 ball = balls[std::size_t(dice.number(0, double(balls.size())))].texels[0];
-    const glm::dvec3 to = dice.number(0, 1) < 0.5 ? middle + dice.point(1) : glm::dvec3(ball) + dice.point(ball.w);
+    const Shape& ball = balls[std::size_t(dice.number(0, double(balls.size())))];
+    const glm::dvec3 center = pointOf(ball, "center");
+    const glm::dvec3 to =
+        dice.number(0, 1) < 0.5 ? middle + dice.point(1) : center + dice.point(lengthOf(ball, "radius"));
     glm::dvec3 way = to - from;
     if (dice.number(0, 1) < 0.1) way[int(dice.number(0, 3))] = 0; // along a box's faces
     return {from, glm::normalize(way)};
@@ -118,8 +120,8 @@ inline Ray rayAmong(Dice& dice, const Spheres& balls, double distance, glm::dvec
 
 /// In double: to float32 rays and spheres as good as exact. Negative: no hit.
 inline double distanceTo(const Shape& ball, const Ray& ray) {
-    const glm::dvec3 o = glm::dvec3(ray.origin) - glm::dvec3(ball.texels[0]), d(ray.direction);
-    const double radius = ball.texels[0].w, a = glm::dot(d, d), middle = -glm::dot(o, d) / a;
+    const glm::dvec3 o = glm::dvec3(ray.origin) - pointOf(ball, "center"), d(ray.direction);
+    const double radius = lengthOf(ball, "radius"), a = glm::dot(d, d), middle = -glm::dot(o, d) / a;
     const double gap = glm::length(o + middle * d);
     const double square = (radius - gap) * (radius + gap) / a;
     if (square < 0) return -1;

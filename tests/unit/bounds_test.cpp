@@ -2,6 +2,7 @@
 #include "tracer/accel/bounds.h"
 
 #include "lab/intersect/subjects.h"
+#include "tracer/plan/shape_texels.h"
 
 #include <gtest/gtest.h>
 
@@ -19,13 +20,14 @@ constexpr int kPoints = 1'000'000; ///< of each shape's surface
 
 /// What rounding or a careless formula would get wrong.
 std::vector<Shape> hardShapes(ShapeKind kind) {
-    const auto make = [kind](glm::dvec4 a, glm::dvec4 b) { return Shape{kind, {a, b, glm::dvec4(0)}}; };
     switch (kind) {
-    case ShapeKind::Disc: return {make({0, 3, 0, 30}, glm::dvec4(glm::normalize(glm::dvec3(1e-4, 1, 2e-6)), 0))};
-    case ShapeKind::Torus: return {make({0.1, 0.1, 0.1, 1}, glm::dvec4(glm::normalize(glm::dvec3(3e-5, 0, 1)), 1e-6))};
+    case ShapeKind::Disc: return {makeShape(kind, {{0, 3, 0}, glm::normalize(glm::dvec3(1e-4, 1, 2e-6))}, {30})};
+    case ShapeKind::Torus:
+        return {makeShape(kind, {{0.1, 0.1, 0.1}, glm::normalize(glm::dvec3(3e-5, 0, 1))}, {1, 1e-6})};
     case ShapeKind::Cylinder: // the rounding of its ends turns it
-        return {make({1000.3, 2.1, 1.7, 5}, {1000.3001, 2.10003, 1.7, 0}), make({0, 0, 0, 1e-6}, {1, 1, 1e-3, 0})};
-    case ShapeKind::Cone: return {make({1000.3, 2.1, 1.7, 5}, {1000.3001, 2.10003, 1.7, 0})};
+        return {makeShape(kind, {{1000.3, 2.1, 1.7}, {1000.3001, 2.10003, 1.7}}, {5}),
+                makeShape(kind, {{0, 0, 0}, {1, 1, 1e-3}}, {1e-6})};
+    case ShapeKind::Cone: return {makeShape(kind, {{1000.3, 2.1, 1.7}, {1000.3001, 2.10003, 1.7}}, {5})};
     default: return {};
     }
 }
@@ -112,12 +114,11 @@ TEST_P(BoundsOfShape, TouchTheSurfaceBut2ToTheMinus19OfTheSizeAndFourRoundings) 
 INSTANTIATE_TEST_SUITE_P(Kinds, BoundsOfShape,
                          testing::Values(ShapeKind::Sphere, ShapeKind::Disc, ShapeKind::Triangle, ShapeKind::Torus,
                                          ShapeKind::Box, ShapeKind::Cylinder, ShapeKind::Capsule, ShapeKind::Cone),
-                         [](const auto& test) { return std::string(shapeRow(test.param).type); });
+                         [](const auto& test) { return glslTypeOf(test.param); });
 
 TEST(Bounds, AreNoneOfWhatHasNoEnd) {
-    EXPECT_FALSE(boundsOf({ShapeKind::Plane, {glm::dvec4(0), glm::dvec4(0, 1, 0, 0), glm::dvec4(0)}}));
-    const Shape sphere{ShapeKind::Sphere, {glm::dvec4(0, -1e4, 0, 1e4), glm::dvec4(0), glm::dvec4(0)}};
-    EXPECT_FALSE(boundsOf(drawnAs(ShapeKind::LargeSphere, sphere, {0, 1, 0})));
+    EXPECT_FALSE(boundsOf(makeShape(ShapeKind::Plane, {{0, 0, 0}, {0, 1, 0}})));
+    EXPECT_FALSE(boundsOf({ShapeKind::LargeSphere, {}}));
 }
 
 TEST(Bounds, EmptyOnesAddNothing) {

@@ -58,7 +58,7 @@ Scene row(int spheres, double wider = 0.01) {
                                             {"sphere": {"center": [0, 0, 0], "radius": 0.1}}]})");
     for (int i = 1; i < spheres; ++i) {
         scene.objects.push_back(scene.objects.back());
-        scene.objects.back().shape.texels[0].x += 1 + i * wider;
+        scene.objects.back().shape.values[0] += 1 + i * wider;
     }
     return scene;
 }
@@ -76,10 +76,10 @@ TEST(ShaderBuilder, WalksHierarchiesOnlyWhereTheyPayOrAreAskedFor) {
 }
 
 TEST(ShaderBuilder, MasksAFewObjectsByTheirSpheres) {
-    EXPECT_TRUE(mentions(source(row(6)), "ballSphere(loadSphere(kSphereBase + (kSphereLoose + 5)"));
-    EXPECT_FALSE(mentions(source(row(6)), "(kSphereLoose + 6)"));
+    EXPECT_TRUE(mentions(source(row(6)), "ballSphere(objectSphere(kSphereLoose + 5))"));
+    EXPECT_FALSE(mentions(source(row(6)), "kSphereLoose + 6)"));
     EXPECT_FALSE(mentions(source(row(1)), "kSphereLoose")) << "one is asked at once";
-    EXPECT_FALSE(mentions(source(row(200)), "ballSphere(loadSphere(kSphereBase + (kSphereLoose"));
+    EXPECT_FALSE(mentions(source(row(200)), "ballSphere(objectSphere(kSphereLoose"));
 }
 
 TEST(ShaderBuilder, WalksLatticesCellByCell) {
@@ -96,7 +96,7 @@ TEST(ShaderBuilder, WalksLatticesCellByCell) {
 
 TEST(ShaderBuilder, GivesTheSameSourceWhenOnlyNumbersChange) {
     Scene moved = sceneNamed("lite");
-    moved.objects[1].shape.texels[0] += 1.0;
+    moved.objects[1].shape = translated(moved.objects[1].shape, glm::dvec3(1));
     moved.materials[1].diffuse *= 0.5;
     Settings settings;
     settings.depth = 2;

@@ -1,8 +1,10 @@
-// What shapes are drawn as, and when anew: which spheres are huge, what moves, and that a large sphere's float32
-// numbers mean the scene's sphere.
+// What shapes are drawn as, and when anew: which spheres are huge, what moves, and that a large sphere's float32 values
+// mean the scene's sphere.
 #include "tests/support/scenes.h"
+#include "tracer/plan/drawn.h"
 #include "tracer/plan/scene_offsets.h"
 #include "tracer/plan/scene_packer.h"
+#include "tracer/plan/shape_texels.h"
 #include "tracer/shader/shader_builder.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +33,8 @@ Scene onSphere(double radius, double eyeHeight, const std::string& other) {
 
 Scene scaled(Scene scene, double by) {
     scene.camera.eye *= by;
-    for (Object& object : scene.objects) object.shape.texels[0] *= by; // spheres
+    for (Object& object : scene.objects)
+        for (double& value : object.shape.values) value *= by; // spheres
     return scene;
 }
 
@@ -102,10 +105,10 @@ TEST(Drawn, LeavesTheGlowOfALargeSphereAtItsCentre) {
     EXPECT_EQ(texels[texels.size() - 2], glm::vec4(0, -5100, 0, Glow{}.strength));
 }
 
-/// The surface of a packed large sphere, as the shader's float32 numbers have it, above (p): curvature p·p / 2 +
+/// The surface of a packed large sphere, as the shader's float32 values have it, above (p): curvature p·p / 2 +
 /// normal·p + height.
-double above(const Shape& large, glm::dvec3 p) {
-    const glm::vec4 a(large.texels[0]), b(large.texels[1]); // rounded as in packScene()
+double above(const ShapeTexels& packed, glm::dvec3 p) {
+    const glm::vec4 a(packed[0]), b(packed[1]); // rounded as in packScene()
     const glm::dvec3 local = p - glm::dvec3(a.x, a.y, a.z);
     return double(a.w) * glm::dot(local, local) / 2 + glm::dot(glm::dvec3(b.x, b.y, b.z), local) + double(b.w);
 }
@@ -117,30 +120,32 @@ TEST(LargeSphere, MeansTheScenesSphereWithinTheRoundingOfItsNormal) {
         const glm::dvec3 up = glm::normalize(glm::dvec3(0.3123, 0.8765, -0.4321));
         const glm::dvec3 along = glm::normalize(glm::cross(up, glm::dvec3(0, 0, 1)));
         const glm::dvec3 center = glm::dvec3(0.1234567, -0.2345678, 0.3456789) - radius * up;
-        const Shape sphere{ShapeKind::Sphere, {glm::dvec4(center, radius), glm::dvec4(0), glm::dvec4(0)}};
+        const Shape sphere = makeShape(ShapeKind::Sphere, {center}, {radius});
         const Shape large = drawnAs(ShapeKind::LargeSphere, sphere, center + (radius + 1) * up);
         EXPECT_EQ(large.kind, ShapeKind::LargeSphere);
-        const glm::dvec3 anchor(large.texels[0]);
+        const glm::dvec3 anchor = pointOf(large, "anchor");
         EXPECT_NEAR(glm::distance(anchor, center + radius * up), 0, 1e-7);
         for (double angle : {0.0, 1e-6, 1e-4, 1e-2, 0.5, 1.5, 3.0}) {
             const glm::dvec3 p = center + radius * (std::cos(angle) * up + std::sin(angle) * along);
             const double resolution = 4e-16 * radius; // of this test's own doubles
-            EXPECT_LE(std::abs(above(large, p)), std::ldexp(glm::distance(p, anchor), -23) + resolution)
+            EXPECT_LE(std::abs(above(packedShape(large), p)), std::ldexp(glm::distance(p, anchor), -23) + resolution)
                 << radius << ' ' << angle;
         }
     }
 }
 
 TEST(LargeSphere, HasAnAnchorAlsoForAnEyeAtItsCentre) {
-    const Shape sphere{ShapeKind::Sphere, {glm::dvec4(1, 2, 3, 10), glm::dvec4(0), glm::dvec4(0)}};
+    const Shape sphere = makeShape(ShapeKind::Sphere, {{1, 2, 3}}, {10});
     const Shape large = drawnAs(ShapeKind::LargeSphere, sphere, {1, 2, 3});
-    EXPECT_EQ(glm::dvec3(large.texels[0]), glm::dvec3(1, 12, 3));
-    EXPECT_EQ(glm::dvec3(large.texels[1]), glm::dvec3(0, 1, 0));
+    EXPECT_EQ(pointOf(large, "anchor"), glm::dvec3(1, 12, 3));
+    EXPECT_EQ(pointOf(large, "normal"), glm::dvec3(0, 1, 0));
+    EXPECT_EQ(lengthOf(large, "curvature"), 0.1);
+    EXPECT_EQ(lengthOf(large, "height"), 0);
 }
 
 TEST(Drawn, LeavesEveryOtherShapeAsItIs) {
-    const Shape disc{ShapeKind::Disc, {glm::dvec4(1, 2, 3, 10), glm::dvec4(0, 1, 0, 0), glm::dvec4(0)}};
-    EXPECT_EQ(drawnAs(ShapeKind::Disc, disc, {1, 2, 3}).texels, disc.texels);
+    const Shape disc = makeShape(ShapeKind::Disc, {{1, 2, 3}, {0, 1, 0}}, {10});
+    EXPECT_EQ(drawnAs(ShapeKind::Disc, disc, {1, 2, 3}).values, disc.values);
 }
 
 TEST(Time, ChangesOnlyScenesInWhichSomethingMoves) {

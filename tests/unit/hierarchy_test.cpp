@@ -181,7 +181,7 @@ TEST_P(HierarchyOf, FindsWhatAskingAllFinds) {
 TEST_P(HierarchyOf, RefitsToWhatItsLeavesHold) {
     Dice dice(8);
     Spheres moved = balls;
-    for (Shape& ball : moved) ball = sphere(glm::dvec3(ball.texels[0]) + dice.point(0.3), 0.1 + ball.texels[0].w);
+    for (Shape& ball : moved) ball = sphere(pointOf(ball, "center") + dice.point(0.3), 0.1 + lengthOf(ball, "radius"));
     const std::vector<Bounds> now = boundsOfAll(moved);
     Hierarchy refitted = hierarchy;
     refit(refitted, now);
@@ -284,21 +284,29 @@ Ray lineThrough(Dice& dice, const Bounds& box) {
     }
 }
 
+/// A mean, and how far it may be from what it estimates.
+struct Samples {
+    double count = 0, sum = 0, squares = 0;
+    void add(double value) { ++count, sum += value, squares += value * value; }
+    double mean() const { return sum / count; }
+    double standardError() const { return std::sqrt(std::max(0.0, squares / count - mean() * mean()) / count); }
+};
+
 // What cost() and primitivesAsked() foretell is what lines that meet the root's box and stop at nothing count. 2 % is
-// four standard deviations of these counts.
+// four standard errors of these counts; where all lines count nearly the same, few lines give them.
 TEST_P(HierarchyOf, CostsWhatRandomLinesCount) {
     const Tree tree(bounds, {0, 0, 0});
     Dice dice(12);
-    const int lines = 40000;
-    Visits sum;
-    for (int i = 0; i < lines; ++i) {
+    Samples boxes, primitives;
+    const auto precise = [](const Samples& samples) { return samples.standardError() <= 0.005 * samples.mean(); };
+    for (int i = 0; i < 40000 && (i < 1000 || !precise(boxes) || !precise(primitives)); ++i) {
         const Visits visits =
             walkOrdered(tree, lineThrough(dice, hierarchy.nodes[0].bounds), double(kNothing), [](int) {});
-        sum.boxes += visits.boxes;
-        sum.primitives += visits.primitives;
+        boxes.add(visits.boxes);
+        primitives.add(visits.primitives);
     }
-    EXPECT_NEAR(sum.boxes / lines, hierarchy.cost(), 0.02 * hierarchy.cost());
-    EXPECT_NEAR(sum.primitives / lines, hierarchy.primitivesAsked(), 0.02 * hierarchy.primitivesAsked());
+    EXPECT_NEAR(boxes.mean(), hierarchy.cost(), 0.02 * hierarchy.cost());
+    EXPECT_NEAR(primitives.mean(), hierarchy.primitivesAsked(), 0.02 * hierarchy.primitivesAsked());
 }
 
 std::vector<std::string> namesOfSets() {

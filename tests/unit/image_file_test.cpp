@@ -81,7 +81,7 @@ std::map<std::string, std::vector<float>> readExr(const std::string& file) {
 TEST_F(ImageFile, KeepsEveryBitOfThreeChannelsInPfmRowsBottomToTop) {
     const FloatImage image = sample(3);
     Problems problems;
-    ASSERT_TRUE(writeImage(path("a.pfm"), image, problems)) << toString(problems);
+    ASSERT_TRUE(writeImage(path("a.pfm"), ImageFormat::Pfm, image, problems)) << toString(problems);
     const std::string bytes = readBytes(path("a.pfm")), head = "PF\n5 3\n-1.0\n";
     ASSERT_EQ(bytes.substr(0, head.size()), head);
     ASSERT_EQ(bytes.size(), head.size() + image.pixels.size() * 4);
@@ -92,14 +92,14 @@ TEST_F(ImageFile, KeepsEveryBitOfThreeChannelsInPfmRowsBottomToTop) {
 
 TEST_F(ImageFile, WritesOneChannelAsLittlePf) {
     Problems problems;
-    ASSERT_TRUE(writeImage(path("a.pfm"), sample(1), problems));
+    ASSERT_TRUE(writeImage(path("a.pfm"), ImageFormat::Pfm, sample(1), problems));
     EXPECT_EQ(readBytes(path("a.pfm")).substr(0, 12), "Pf\n5 3\n-1.0\n");
 }
 
 TEST_F(ImageFile, KeepsEveryBitOfThreeChannelsInExr) {
     const FloatImage image = sample(3);
     Problems problems;
-    ASSERT_TRUE(writeImage(path("a.exr"), image, problems)) << toString(problems);
+    ASSERT_TRUE(writeImage(path("a.exr"), ImageFormat::Exr, image, problems)) << toString(problems);
     const auto channels = readExr(path("a.exr"));
     ASSERT_EQ(channels.size(), 3U);
     const char* names[] = {"R", "G", "B"};
@@ -110,7 +110,7 @@ TEST_F(ImageFile, KeepsEveryBitOfThreeChannelsInExr) {
 TEST_F(ImageFile, KeepsEveryBitOfOneChannelInExrAsY) {
     const FloatImage image = sample(1);
     Problems problems;
-    ASSERT_TRUE(writeImage(path("a.exr"), image, problems)) << toString(problems);
+    ASSERT_TRUE(writeImage(path("a.exr"), ImageFormat::Exr, image, problems)) << toString(problems);
     const auto channels = readExr(path("a.exr"));
     ASSERT_EQ(channels.size(), 1U);
     EXPECT_EQ(channels.at("Y"), image.pixels);
@@ -128,7 +128,7 @@ TEST_F(ImageFile, KeepsEveryColourOfAPictureInPng) {
 TEST_F(ImageFile, RefusesInPngWhatLeavesZeroToOne) {
     for (Aov aov : {Aov::Distance, Aov::Position, Aov::Object}) {
         Problems problems;
-        EXPECT_FALSE(checkImageFile(path("a.png"), aov, problems));
+        EXPECT_FALSE(checkImageFile(path("a.png"), {}, aov, problems));
         ASSERT_EQ(problems.size(), 1U);
         EXPECT_EQ(problems[0].remedy, "use .pfm or .exr");
     }
@@ -138,15 +138,15 @@ TEST_F(ImageFile, RefusesInPngWhatLeavesZeroToOne) {
 TEST_F(ImageFile, RefusesFormatsItDoesNotKnowAndFoldersThatDoNotExist) {
     for (const char* name : {"a.jpg", "a", "a.PNG.bak", "missing/a.png"}) {
         Problems problems;
-        EXPECT_FALSE(checkImageFile(path(name), Aov::Color, problems)) << name;
+        EXPECT_FALSE(checkImageFile(path(name), {}, Aov::Color, problems)) << name;
         EXPECT_EQ(problems.size(), 1U) << name;
     }
 }
 
 TEST_F(ImageFile, ReplacesAnOldFileAndLeavesNoDraftBehind) {
     Problems problems;
-    ASSERT_TRUE(writeImage(path("a.pfm"), sample(3), problems));
-    ASSERT_TRUE(writeImage(path("a.pfm"), sample(1), problems));
+    ASSERT_TRUE(writeImage(path("a.pfm"), ImageFormat::Pfm, sample(3), problems));
+    ASSERT_TRUE(writeImage(path("a.pfm"), ImageFormat::Pfm, sample(1), problems));
     EXPECT_EQ(readBytes(path("a.pfm")).substr(0, 2), "Pf");
     EXPECT_EQ(files(), 1U);
 }
@@ -154,7 +154,7 @@ TEST_F(ImageFile, ReplacesAnOldFileAndLeavesNoDraftBehind) {
 TEST_F(ImageFile, LeavesNothingWhereItCannotWrite) {
     fs::create_directories(path("a.pfm/occupied")); // a folder in the file's place: the rename fails
     Problems problems;
-    EXPECT_FALSE(writeImage(path("a.pfm"), sample(3), problems));
+    EXPECT_FALSE(writeImage(path("a.pfm"), ImageFormat::Pfm, sample(3), problems));
     EXPECT_FALSE(problems.empty());
     EXPECT_EQ(files(), 1U);
 }

@@ -15,9 +15,7 @@
 namespace gnomon {
 namespace {
 
-Shape sphere(glm::dvec3 center, double radius) {
-    return {ShapeKind::Sphere, {glm::dvec4(center, radius), glm::dvec4(0), glm::dvec4(0)}};
-}
+Shape sphere(glm::dvec3 center, double radius) { return makeShape(ShapeKind::Sphere, {center}, {radius}); }
 
 /// Spheres of radius .4 at a lattice from `first` on, in no order.
 std::vector<Shape> lattice(glm::ivec3 cells, glm::dvec3 first = {0.5, -3, 7}, glm::dvec3 step = {1, 1.5, 2}) {
@@ -44,7 +42,7 @@ TEST(Lattice, HasOneMemberACellXFastest) {
         for (int i = 0; i < int(shapes.size()); ++i) {
             const glm::dvec3 cell(i % cells.x, i / cells.x % cells.y, i / cells.x / cells.y);
             const glm::dvec3 wanted = glm::dvec3(0.5, -3, 7) + glm::dvec3(1, 1.5, 2) * cell;
-            EXPECT_EQ(glm::dvec3(shapes[std::size_t(block->members[std::size_t(i)])].texels[0]), wanted);
+            EXPECT_EQ(pointOf(shapes[std::size_t(block->members[std::size_t(i)])], "center"), wanted);
         }
     }
 }
@@ -67,11 +65,11 @@ TEST(Lattice, IsNoneWhereTheLatticeIsNotOne) {
         EXPECT_FALSE(found(shapes)) << what;
     };
     refuse("a gap", [](auto& shapes) { shapes.pop_back(); });
-    refuse("one moved", [](auto& shapes) { shapes[7].texels[0].y += 0.05; });
+    refuse("one moved", [](auto& shapes) { shapes[7].values[1] += 0.05; });
     refuse("two at one place", [](auto& shapes) { shapes[0] = shapes[1]; });
-    refuse("one of another size", [](auto& shapes) { shapes[0].texels[0].w = 0.3; });
+    refuse("one of another size", [](auto& shapes) { setLength(shapes[0], "radius", 0.3); });
     refuse("touching", [](auto& shapes) {
-        for (Shape& shape : shapes) shape.texels[0].w = 0.5;
+        for (Shape& shape : shapes) setLength(shape, "radius", 0.5);
     });
     refuse("too few", [](auto& shapes) { shapes = lattice({7, 1, 1}); });
     refuse("too far for float32", [](auto& shapes) { shapes = lattice({5, 2, 2}, {1e6, 0, 0}); });
@@ -81,7 +79,7 @@ TEST(Lattice, IsNoneWhereTheLatticeIsNotOne) {
 TEST(Lattice, TellsABallAboutEachMember) {
     for (const glm::ivec3 cells : {glm::ivec3(4, 3, 5), glm::ivec3(8, 1, 1)}) {
         auto shapes = lattice(cells, {100.1, -33.3, 7.7}, {0.9, 0.85, 1.3});
-        for (Shape& shape : shapes) shape.texels[0].x += 1e-4 * std::sin(shape.texels[0].y); // a little astray
+        for (Shape& shape : shapes) shape.values[0] += 1e-4 * std::sin(shape.values[1]); // a little astray
         const auto block = found(shapes);
         ASSERT_TRUE(block);
         const auto member = [&](std::size_t i) { return shapes[std::size_t(block->members[i])]; };
@@ -92,7 +90,7 @@ TEST(Lattice, TellsABallAboutEachMember) {
         for (std::size_t i = 0; i < shapes.size(); ++i) {
             const int n = int(i);
             const glm::vec3 cell(n % cells.x, n / cells.x % cells.y, n / cells.x / cells.y);
-            const glm::dvec3 middle(corner + (cell + 0.5f) * size), center(member(i).texels[0]);
+            const glm::dvec3 middle(corner + (cell + 0.5f) * size), center = pointOf(member(i), "center");
             EXPECT_LE(glm::distance(middle, center) + 0.4, double(texels[0].w));
             for (int axis = 0; axis < 3; ++axis)
                 EXPECT_LE(std::abs(center[axis] - middle[axis]) + 0.4, 0.5 * size[axis]);
@@ -113,7 +111,7 @@ TEST(Layout, NumbersTheLatticeFirstThenCastersThenTheRest) {
         const Object& object = pro.objects[std::size_t(spheres.objects[std::size_t(i)])];
         EXPECT_EQ(object.castsShadow, i < spheres.casters) << i;
         if (i < 100) {
-            EXPECT_EQ(object.shape.texels[0], glm::dvec4(2 * (i % 10) - 10, -7, 5 + 2 * (i / 10), 0.8)) << i;
+            EXPECT_EQ(pointOf(object.shape, "center"), glm::dvec3(2 * (i % 10) - 10, -7, 5 + 2 * (i / 10))) << i;
         }
     }
 }
@@ -122,11 +120,12 @@ TEST(Layout, NumbersTheLatticeFirstThenCastersThenTheRest) {
 TEST(Layout, TakesOnlyRestingCastersIntoALattice) {
     Scene pro = test::sceneNamed("pro");
     for (Object& object : pro.objects)
-        if (object.shape.kind == ShapeKind::Sphere && object.shape.texels[0].w == 0.8) object.castsShadow = false;
+        if (object.shape.kind == ShapeKind::Sphere && lengthOf(object.shape, "radius") == 0.8)
+            object.castsShadow = false;
     EXPECT_EQ(prepare(pro)->layout[0].latticeMembers(), 0);
     pro = test::sceneNamed("pro");
     for (Object& object : pro.objects)
-        if (object.shape.kind == ShapeKind::Sphere && object.shape.texels[0].w == 0.8)
+        if (object.shape.kind == ShapeKind::Sphere && lengthOf(object.shape, "radius") == 0.8)
             object.motion = Orbit{{1, 0, 0}, {0, 1, 0}, 1, -1};
     EXPECT_EQ(prepare(pro)->layout[0].latticeMembers(), 0);
 }

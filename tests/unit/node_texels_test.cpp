@@ -312,13 +312,13 @@ TEST_P(WalkAmongSpheres, LosesNoHitWhereAllIsFarFromTheOrigin) {
         const glm::dvec3 by(far, -far, far);
         balls.clear();
         for (const Shape& ball : clouds().at(GetParam()))
-            balls.push_back(sphere(by + glm::dvec3(ball.texels[0]), ball.texels[0].w));
+            balls.push_back(sphere(by + pointOf(ball, "center"), lengthOf(ball, "radius")));
         check(0.5, 64, by);
     }
 }
 
 TEST_P(WalkAmongSpheres, LosesNoHitWhereAllIsHuge) {
-    for (Shape& ball : balls) ball = sphere(1e6 * glm::dvec3(ball.texels[0]), 1e6 * ball.texels[0].w);
+    for (Shape& ball : balls) ball = sphere(1e6 * pointOf(ball, "center"), 1e6 * lengthOf(ball, "radius"));
     check(0.5, 1e9);
 }
 

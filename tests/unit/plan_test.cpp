@@ -1,6 +1,7 @@
 /// A plan is pure and made of what was prepared once; what contradicts itself is told.
 #include "tests/support/clouds.h"
 #include "tests/support/scenes.h"
+#include "tracer/plan/drawn.h"
 #include "tracer/plan/plan.h"
 #include "tracer/shader/shader_builder.h"
 #include "tracer/software/tuning.h"
@@ -151,7 +152,6 @@ TEST(Contradiction, IsToldOfTheScenesFacts) {
 }
 
 TEST(Contradiction, IsToldOfTheTarget) {
-    EXPECT_EQ(withChange([](Plan& p) { p.target.cachedLoads = true; }), "preloads together with cached loads");
     EXPECT_EQ(withChange([](Plan& p) { p.target.fallback = false; }, kSwiftShader),
               "a target with tiles but without fallback");
 }

@@ -2,8 +2,10 @@
 #include "tests/support/scenes.h"
 #include "tests/support/texel_walk.h"
 #include "tracer/clock.h"
+#include "tracer/plan/drawn.h"
 #include "tracer/plan/scene_offsets.h"
 #include "tracer/plan/scene_packer.h"
+#include "tracer/plan/shape_texels.h"
 #include "tracer/shader/scene_constants.h"
 
 #include <gtest/gtest.h>
@@ -79,7 +81,7 @@ TEST_P(SceneData, PacksEveryShapeWhereItsConstantsSay) {
             const int own = kind.solid ? 1 : at[name + "Texels"]; // what a solid is made of: tests/unit/solid_test.cpp
             for (int k = 0; k < own; ++k) {
                 const glm::vec4 packed = texels[at[name + "Base"] + i * at[name + "Texels"] + k];
-                const glm::vec4 told(shapes[index].texels[k]);
+                const glm::vec4 told(packedShape(shapes[index])[k]);
                 EXPECT_EQ(glm::vec3(packed), glm::vec3(told));
                 if (kind.kind != ShapeKind::Triangle) {
                     EXPECT_EQ(packed.w, told.w); // else the middle of all

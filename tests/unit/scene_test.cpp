@@ -250,7 +250,7 @@ TEST(ShapesAt, WalksLongChainsWithoutRecursion) {
     const int count = 200000;
     for (int i = 0; i < count; ++i) {
         Object object;
-        object.shape.texels[0] = glm::dvec4(1, 0, 0, 1);
+        object.shape.values = {1, 0, 0, 1};
         if (i + 1 < count) object.motion = Orbit{{}, {}, 1, i + 1};
         scene.objects.push_back(object);
     }

@@ -1,5 +1,8 @@
-// The shape table: rows agree with the enum and the texels, and shapes can be read back and moved through it.
+// The shape table: rows agree with the enum, texels follow from them, and shapes can be read back and moved through it.
 #include "tracer/scene/shapes.h"
+
+#include "tracer/plan/shape_texels.h"
+#include "tracer/shader/library.h"
 
 #include <gtest/gtest.h>
 
@@ -9,17 +12,11 @@
 namespace gnomon {
 namespace {
 
-Shape torus(double major, double minor) {
-    return {ShapeKind::Torus, {glm::dvec4(1, 2, 3, major), glm::dvec4(0, 1, 0, minor), glm::dvec4(0)}};
-}
+Shape torus(double major, double minor) { return makeShape(ShapeKind::Torus, {{1, 2, 3}, {0, 1, 0}}, {major, minor}); }
 
-Shape triangle(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
-    return {ShapeKind::Triangle, {glm::dvec4(a, 0), glm::dvec4(b, 0), glm::dvec4(c, 0)}};
-}
+Shape triangle(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) { return makeShape(ShapeKind::Triangle, {a, b, c}); }
 
-Shape cylinder(glm::dvec3 from, glm::dvec3 to) {
-    return {ShapeKind::Cylinder, {glm::dvec4(from, 0.5), glm::dvec4(to, 0), glm::dvec4(0)}};
-}
+Shape cylinder(glm::dvec3 from, glm::dvec3 to) { return makeShape(ShapeKind::Cylinder, {from, to}, {0.5}); }
 
 bool accepts(const Shape& shape) { return shapeRow(shape.kind).check(shape)[0].empty(); }
 
@@ -34,26 +31,52 @@ TEST(ShapeTable, OffersEveryKindButThoseThatAreOnlyDrawn) {
 }
 
 TEST(ShapeTable, NamesEachShapeOnce) {
-    std::set<std::string_view> keys, types;
+    std::set<std::string_view> keys;
+    std::set<std::string> types;
     for (const ShapeRow& row : shapeTable())
-        EXPECT_TRUE(keys.insert(row.key).second && types.insert(row.type).second) << row.key;
+        EXPECT_TRUE(keys.insert(row.key).second && types.insert(glslTypeOf(row.kind)).second) << row.key;
 }
 
-TEST(ShapeTable, PutsNoTwoFieldsInOneComponent) {
-    for (const ShapeRow& row : shapeTable()) {
-        std::set<int> taken;
-        for (const ShapeField& field : row.fields) {
-            const int texels = field.type == FieldType::Vertices ? 3 : 1,
-                      components = field.type == FieldType::Length || field.type == FieldType::Number ? 1 : 3;
-            for (int texel = 0; texel < texels; ++texel)
-                for (int i = 0; i < components; ++i)
-                    EXPECT_TRUE(taken.insert(4 * (field.texel + texel) + field.component + i).second)
-                        << row.key << field.key;
-            EXPECT_LE(field.texel + texels, row.texels) << row.key;
-            EXPECT_LE(field.component + components, 4) << row.key;
-        }
-        EXPECT_LE(row.texels, kMaxShapeTexels) << row.key;
+TEST(ShapeTable, HasAFileOfTheShaderLibraryForEachShape) {
+    for (int i = 0; i < kShapeKinds; ++i) {
+        const ShapeRow& row = shapeRow(ShapeKind(i));
+        if (row.kind == ShapeKind::Solid) continue; // generated
+        const std::string text(shaderText("primitive/" + std::string(row.key) + ".glsl"));
+        EXPECT_NE(text.find("struct " + glslTypeOf(row.kind)), std::string::npos) << row.key;
     }
+}
+
+TEST(ShapeTexels, HoldEveryValueOnceAndNoTexelOfNone) {
+    for (int kind = 0; kind < kShapeKinds; ++kind) {
+        const ShapeRow& row = shapeRow(ShapeKind(kind));
+        Shape shape{row.kind, {}};
+        std::multiset<double> values, packed;
+        for (int i = 0; i < row.fields.valueCount(); ++i) values.insert(shape.values[std::size_t(i)] = 1 + i);
+        const ShapeTexels texels = packedShape(shape);
+        for (std::size_t i = 0; i < texels.size(); ++i) {
+            EXPECT_EQ(texels[i] != glm::dvec4(0), int(i) < texelsOf(row.kind)) << row.key;
+            for (int c = 0; c < 4; ++c)
+                if (texels[i][c] != 0) packed.insert(texels[i][c]);
+        }
+        EXPECT_EQ(packed, values) << row.key;
+    }
+}
+
+TEST(ShapeTexels, HoldVectorsFirstAndScalarsBesideThem) {
+    const ShapeTexels ring = packedShape(torus(2, 0.5));
+    EXPECT_EQ(ring[0], glm::dvec4(1, 2, 3, 2));
+    EXPECT_EQ(ring[1], glm::dvec4(0, 1, 0, 0.5));
+    EXPECT_EQ(texelsOf(ShapeKind::Torus), 2);
+    const ShapeTexels bulb = packedShape(makeShape(ShapeKind::Mandelbulb, {{1, 2, 3}}, {4, 8, 5}));
+    EXPECT_EQ(bulb[0], glm::dvec4(1, 2, 3, 4));
+    EXPECT_EQ(bulb[1], glm::dvec4(8, 5, 0, 0));
+    EXPECT_EQ(texelsOf(ShapeKind::Mandelbulb), 2);
+    EXPECT_EQ(texelsOf(ShapeKind::Triangle), 3);
+}
+
+TEST(GlslTypes, AreTheKeysInPascalCase) {
+    EXPECT_EQ(glslTypeOf(ShapeKind::Torus), "Torus");
+    EXPECT_EQ(glslTypeOf(ShapeKind::LargeSphere), "LargeSphere");
 }
 
 TEST(Shape, GivesItsFieldsBack) {
@@ -66,25 +89,21 @@ TEST(Shape, GivesItsFieldsBack) {
 
 TEST(Shape, MovesItsPointsButNeitherDirectionsNorLengths) {
     const Shape moved = translated(torus(2, 0.5), {10, 20, 30});
-    EXPECT_EQ(moved.texels[0], glm::dvec4(11, 22, 33, 2));
-    EXPECT_EQ(moved.texels[1], glm::dvec4(0, 1, 0, 0.5));
+    EXPECT_EQ(moved.values, makeShape(ShapeKind::Torus, {{11, 22, 33}, {0, 1, 0}}, {2, 0.5}).values);
 }
 
 TEST(Shape, MovesAllVerticesOfATriangle) {
     const Shape moved = translated(triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}), {0, 0, 5});
-    EXPECT_EQ(moved.texels[0], glm::dvec4(0, 0, 5, 0));
-    EXPECT_EQ(moved.texels[1], glm::dvec4(1, 0, 5, 0));
-    EXPECT_EQ(moved.texels[2], glm::dvec4(0, 1, 5, 0));
+    EXPECT_EQ(moved.values, triangle({0, 0, 5}, {1, 0, 5}, {0, 1, 5}).values);
 }
 
 TEST(Shape, MovesBothEndsOfACylinder) {
     const Shape moved = translated(cylinder({0, 0, 0}, {1, 0, 0}), {0, 0, 5});
-    EXPECT_EQ(moved.texels[0], glm::dvec4(0, 0, 5, 0.5));
-    EXPECT_EQ(moved.texels[1], glm::dvec4(1, 0, 5, 0));
+    EXPECT_EQ(moved.values, cylinder({0, 0, 5}, {1, 0, 5}).values);
 }
 
 TEST(Shape, MovesABoxButNotItsSize) {
-    const Shape box{ShapeKind::Box, {glm::dvec4(1, 2, 3, 0), glm::dvec4(4, 5, 6, 0), glm::dvec4(0)}};
+    const Shape box = makeShape(ShapeKind::Box, {{1, 2, 3}, {4, 5, 6}});
     const Shape moved = translated(box, {10, 20, 30});
     EXPECT_EQ(pointOf(moved, "center"), glm::dvec3(11, 22, 33));
     EXPECT_EQ(pointOf(moved, "half_size"), glm::dvec3(4, 5, 6));
@@ -100,8 +119,8 @@ TEST(Shape, HasTheSizeOfItsLongestPart) {
     EXPECT_EQ(sizeOf(cylinder({1, 2, 3}, {1, 2, 7})), 4);
     EXPECT_EQ(sizeOf(cylinder({0, 0, 0}, {0, 0.1, 0})), 0.5) << "its radius";
     EXPECT_EQ(sizeOf(triangle({0, 0, 0}, {3, 0, 0}, {0, 4, 0})), 5);
-    EXPECT_EQ(sizeOf({ShapeKind::Box, {glm::dvec4(9, 9, 9, 0), glm::dvec4(2, 3, 6, 0), glm::dvec4(0)}}), 7);
-    EXPECT_TRUE(std::isinf(sizeOf({ShapeKind::Plane, {glm::dvec4(0), glm::dvec4(0, 1, 0, 0), glm::dvec4(0)}})));
+    EXPECT_EQ(sizeOf(makeShape(ShapeKind::Box, {{9, 9, 9}, {2, 3, 6}})), 7);
+    EXPECT_TRUE(std::isinf(sizeOf(makeShape(ShapeKind::Plane, {{0, 0, 0}, {0, 1, 0}}))));
 }
 
 TEST(Torus, NeedsAHole) {

@@ -101,8 +101,9 @@ TEST(Lite, HasTheRadiiOfItsSource) {
 TEST(Lite, HangsItsMirrorBehindTheScene) {
     const Scene lite = shipped("lite");
     const Shape &one = objectOf(lite, "mirror-1").shape, &two = objectOf(lite, "mirror-2").shape;
-    EXPECT_EQ(one.texels, (std::array<glm::dvec4, 3>{{{-14, 14, -14, 0}, {-14, -5, -12, 0}, {14, -5, -12, 0}}}));
-    EXPECT_EQ(two.texels, (std::array<glm::dvec4, 3>{{{-14, 14, -14, 0}, {14, -5, -12, 0}, {14, 14, -14, 0}}}));
+    using Values = std::array<double, kMaxShapeValues>;
+    EXPECT_EQ(one.values, (Values{-14, 14, -14, -14, -5, -12, 14, -5, -12}));
+    EXPECT_EQ(two.values, (Values{-14, 14, -14, 14, -5, -12, 14, 14, -14}));
 }
 
 TEST(Lite, IsLitByThreeWhiteLightsAndSeenFromThirtyFive) {
@@ -217,7 +218,7 @@ TEST(Pro, BeginsWithAllOfLite) {
     ASSERT_GE(pro.objects.size(), lite.objects.size());
     for (std::size_t i = 0; i < lite.objects.size(); ++i) {
         EXPECT_EQ(pro.objects[i].name, lite.objects[i].name);
-        EXPECT_EQ(pro.objects[i].shape.texels, lite.objects[i].shape.texels) << lite.objects[i].name;
+        EXPECT_EQ(pro.objects[i].shape.values, lite.objects[i].shape.values) << lite.objects[i].name;
         EXPECT_EQ(pro.materials[std::size_t(pro.objects[i].material)].name,
                   lite.materials[std::size_t(lite.objects[i].material)].name);
     }
@@ -237,7 +238,8 @@ TEST(Pro, SetsItsMirrorSpheresInRowsOfTen) {
     for (int i = 10; i < 20; ++i)
         for (int j = 0; j < 10; ++j, ++next) {
             const Object& ball = pro.objects[next];
-            EXPECT_EQ(ball.shape.texels[0], glm::dvec4(2 * i - 30, -7, 5 + 2 * j, 0.8));
+            EXPECT_EQ(pointOf(ball.shape, "center"), glm::dvec3(2 * i - 30, -7, 5 + 2 * j));
+            EXPECT_EQ(lengthOf(ball.shape, "radius"), 0.8);
             const Material& material = pro.materials[std::size_t(ball.material)];
             EXPECT_NEAR(f0(std::get<Coat>(material.optics).ior), 0.04, 1e-12);
         }
@@ -247,8 +249,8 @@ TEST(Pro, HangsAGlassCubeThatCastsNoShadow) {
     const Scene pro = shipped("pro");
     const Object& cube = objectOf(pro, "cube");
     EXPECT_EQ(cube.shape.kind, ShapeKind::Box);
-    EXPECT_EQ(cube.shape.texels[0], glm::dvec4(10, 0, 0, 0));
-    EXPECT_EQ(cube.shape.texels[1], glm::dvec4(2, 2, 2, 0));
+    EXPECT_EQ(pointOf(cube.shape, "center"), glm::dvec3(10, 0, 0));
+    EXPECT_EQ(pointOf(cube.shape, "half_size"), glm::dvec3(2));
     EXPECT_EQ(std::get<Dielectric>(materialOf(pro, "cube").optics).ior, 1.5);
     EXPECT_FALSE(cube.castsShadow);
 }
@@ -256,8 +258,10 @@ TEST(Pro, HangsAGlassCubeThatCastsNoShadow) {
 TEST(Pro, HidesATorusInTheCube) {
     const Scene pro = shipped("pro");
     const Shape& torus = objectOf(pro, "torus").shape;
-    EXPECT_EQ(torus.texels[0], glm::dvec4(10, 0, 0, 1));
-    EXPECT_EQ(torus.texels[1], glm::dvec4(0, 0, 1, 0.25));
+    EXPECT_EQ(pointOf(torus, "center"), glm::dvec3(10, 0, 0));
+    EXPECT_EQ(pointOf(torus, "axis"), glm::dvec3(0, 0, 1));
+    EXPECT_EQ(lengthOf(torus, "major_radius"), 1);
+    EXPECT_EQ(lengthOf(torus, "minor_radius"), 0.25);
     const Material& material = materialOf(pro, "torus");
     EXPECT_EQ(material.ambient, glm::dvec3(0, 0, 0.4));
     EXPECT_EQ(material.diffuse, glm::dvec3(0, 0, 0.4));
@@ -270,7 +274,8 @@ TEST(Pro, HidesATorusInTheCube) {
 TEST(TorusScene, StandsItsTorusOnTheGround) {
     const Scene scene = shipped("torus");
     const Shape& torus = objectOf(scene, "torus").shape;
-    EXPECT_EQ(torus.texels[0], glm::dvec4(0, 0, 0, 1));
+    EXPECT_EQ(pointOf(torus, "center"), glm::dvec3(0));
+    EXPECT_EQ(lengthOf(torus, "major_radius"), 1);
     EXPECT_EQ(lengthOf(torus, "minor_radius"), 0.25);
     EXPECT_NEAR(glm::length(pointOf(torus, "axis")), 1, 1e-15) << "directions are normalised on reading";
     EXPECT_EQ(pointOf(objectOf(scene, "ground").shape, "center").y, -1.25);

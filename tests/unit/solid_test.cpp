@@ -44,10 +44,10 @@ TEST_P(Solid_, StandsInItsBall) {
     int inside = 0;
     for (int i = 0; i < 40000; ++i) {
         const glm::dvec3 away(place(random), place(random), place(random));
-        const glm::dvec3 p = glm::dvec3(shape.texels[0]) + away;
+        const glm::dvec3 p = pointOf(shape, "center") + away;
         if (oracle::fieldOf(shape.solid->root, p) > 0) continue;
         ++inside;
-        EXPECT_LE(glm::length(away), shape.texels[0].w);
+        EXPECT_LE(glm::length(away), lengthOf(shape, "radius"));
     }
     EXPECT_GT(inside, 50);
 }
@@ -91,7 +91,7 @@ TEST(Solid, MovesWithItsBall) {
     const Scene scene = sceneFrom(R"({"objects": [{"motion": {"orbit": {"cos": [2, 0, 0], "rate": 1}},
         "union": [{"sphere": {"center": [5, 0, 0], "radius": 1}}]}]})");
     const Shape moved = shapesAt(scene, 0)[0];
-    EXPECT_EQ(glm::dvec3(moved.texels[0]), glm::dvec3(7, 0, 0));
+    EXPECT_EQ(pointOf(moved, "center"), glm::dvec3(7, 0, 0));
     std::vector<glm::vec4> texels;
     appendTexels(moved, texels);
     EXPECT_EQ(texels[1], glm::vec4(0, 0, 0, 1)) << "its parts are told from its middle";
@@ -99,18 +99,17 @@ TEST(Solid, MovesWithItsBall) {
 
 TEST(Solid, BadOnesAreRefusedWithAReason) {
     EXPECT_NE(
-        problemsOf(R"("union": [{"plane": {"point": [0, 0, 0], "normal": [0, 1, 0]}}])").find("the body has no end"),
+        problemsOf(R"("union": [{"plane": {"point": [0, 0, 0], "normal": [0, 1, 0]}}])").find("the solid has no end"),
         std::string::npos);
     EXPECT_NE(problemsOf(R"("union": [])").find("0 entries"), std::string::npos);
     EXPECT_NE(
         problemsOf(R"("union": [{"spere": {"center": [0, 0, 0], "radius": 1}}])").find("did you mean \"sphere\"?"),
         std::string::npos);
-    EXPECT_NE(
-        problemsOf(
-            R"("repetition": {"of": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "period": [3, 0, 0],
+    EXPECT_NE(problemsOf(
+                  R"("repetition": {"of": {"sphere": {"center": [0, 0, 0], "radius": 1}}, "period": [3, 0, 0],
                  "count": [2, 2, 1]})")
-            .find("period above 0"),
-        std::string::npos);
+                  .find("period above 0"),
+              std::string::npos);
     EXPECT_NE(problemsOf(R"("offset": {"by": 1})").find("missing key \"of\""), std::string::npos);
     EXPECT_NE(problemsOf(R"("mandelbulb": {"center": [0, 0, 0], "radius": 1, "power": 1.5, "iterations": 4})")
                   .find("power 1.5"),
@@ -119,7 +118,7 @@ TEST(Solid, BadOnesAreRefusedWithAReason) {
     for (int i = 0; i < 64; ++i)
         many += R"({"offset": {"by": 0.1, "of": {"sphere": {"center": [0, 0, 0], "radius": 1}}}},)";
     many.back() = ']';
-    EXPECT_NE(problemsOf(many).find("a body of 129 parts"), std::string::npos);
+    EXPECT_NE(problemsOf(many).find("a solid of 129 parts"), std::string::npos);
 }
 
 } // namespace

@@ -13,7 +13,7 @@
 namespace gnomon {
 namespace {
 
-bool operator==(const Shape& a, const Shape& b) { return a.kind == b.kind && a.texels == b.texels; }
+bool operator==(const Shape& a, const Shape& b) { return a.kind == b.kind && a.values == b.values; }
 
 glm::dvec3 centerOf(const Object& object) { return pointOf(object.shape, "center"); }
 

@@ -48,16 +48,15 @@ std::string number(double x) {
     return text;
 }
 
-std::string numbers(glm::dvec4 v) { return "[" + number(v.x) + ", " + number(v.y) + ", " + number(v.z) + "]"; }
+std::string vector(const double* v) { return "[" + number(v[0]) + ", " + number(v[1]) + ", " + number(v[2]) + "]"; }
 
 std::string sceneText(const Shape& shape) {
     std::string fields;
     for (const ShapeField& field : shapeRow(shape.kind).fields) {
-        const glm::dvec4* texel = &shape.texels[std::size_t(field.texel)];
-        std::string value = numbers(texel[0]);
-        if (field.type == FieldType::Length) value = number((*texel)[field.component]);
+        const double* values = &shape.values[std::size_t(field.at)];
+        std::string value = vectorCount(field.type) > 0 ? vector(values) : number(*values);
         if (field.type == FieldType::Vertices)
-            value = "[" + value + ", " + numbers(texel[1]) + ", " + numbers(texel[2]) + "]";
+            value = "[" + value + ", " + vector(values + 3) + ", " + vector(values + 6) + "]";
         fields += (fields.empty() ? "\"" : ", \"") + std::string(field.key) + "\": " + value;
     }
     return "{\"objects\": [{\"" + std::string(shapeRow(shape.kind).key) + "\": {" + fields + "}}]}\n";

@@ -1,7 +1,6 @@
-// A picture of base and full shader variants, with cached loads where Chromium's GL gains by them, is in every byte the
-// picture of the full variant alone, which loads each value where it needs it: what the base variant discards is drawn
-// behind it (shaders/pass/canvas.vert). Sizes that no tile divides, times at which uncommon features lie elsewhere; and
-// on the page itself, where a slow picture is refined band by band.
+// A picture of base and full shader variants is in every byte the picture of the full variant alone: what the base
+// variant discards is drawn behind it (shaders/pass/canvas.vert). Sizes that no tile divides, times at which uncommon
+// features lie elsewhere; and on the page itself, where a slow picture is refined band by band.
 import { after, before, describe, test } from 'node:test';
 import { strict as assert } from 'node:assert';
 import { readFile } from 'node:fs/promises';
@@ -11,7 +10,7 @@ import { serve } from './server.mjs';
 import { sharedBrowser } from './shared_browser.mjs';
 
 const still = 'pause=on&depth=8';
-// Where a file is not the library's own, though its text be the same, there is one program, without cached loads.
+// Where a file is not the library's own, though its text be the same, there is one program.
 const encode = await readFile(new URL('../../shaders/shade/encode.glsl', import.meta.url), 'utf8');
 const cases = [
   { scene: 'pro', size: '163x121', time: 0 },
@@ -41,10 +40,7 @@ for (const name of browserNames)
           );
           const { sourceBytes } = await page.evaluate(() => window.gnomon.stats());
           const seen = await picture(page);
-          const cachesLoads = () => page.evaluate(() => window.gnomon.source().includes('void cacheLoads('));
-          assert.equal(await cachesLoads(), name === 'chromium');
           await page.evaluate((text) => window.gnomon.shaders({ 'shade/encode.glsl': text }), encode);
-          assert.equal(await cachesLoads(), false);
           const plain = await picture(page);
           page.verify();
           await page.close();

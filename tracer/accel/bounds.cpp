@@ -7,17 +7,6 @@ namespace {
 
 double largest(glm::dvec3 v) { return std::max({v.x, v.y, v.z}); }
 
-/// As the shader gets it. Through memory, as in largeSphereOf() of shapes.cpp: GCC 12 leaves the rounding of neighbours
-/// out.
-Shape inFloat(Shape shape) {
-    for (int texel = 0; texel < shapeRow(shape.kind).texels; ++texel)
-        for (int i = 0; i < 4; ++i) {
-            const volatile float stored = float(shape.texels[std::size_t(texel)][i]);
-            shape.texels[std::size_t(texel)][i] = stored;
-        }
-    return shape;
-}
-
 } // namespace
 
 std::optional<Bounds> boundsOf(const Shape& shape) {

@@ -27,9 +27,8 @@ Shape atHome(const Shape& shape) { return translated(shape, -middleOf(extentOf(s
 
 bool equal(const Shape& a, const Shape& b) {
     constexpr double kEqual = 1e-5;
-    for (std::size_t i = 0; i < a.texels.size(); ++i)
-        for (int k = 0; k < 4; ++k)
-            if (std::abs(a.texels[i][k] - b.texels[i][k]) > kEqual * sizeOf(a)) return false;
+    for (std::size_t i = 0; i < a.values.size(); ++i)
+        if (std::abs(a.values[i] - b.values[i]) > kEqual * sizeOf(a)) return false;
     return true;
 }
 

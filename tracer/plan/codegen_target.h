@@ -14,8 +14,7 @@ struct CodegenTarget {
     int tile = 0;             ///< side in pixels of the squares in which the full variant draws them; 0: stencil test
     /// By the loop of shadow rays, which ends by itself: shaders/integrator/shadow_rays.glsl.
     bool iterationsCounted = true;
-    bool preloads = false;    ///< values at fixed positions are read before all loops
-    bool cachedLoads = false; ///< they are kept in variables instead
+    bool preloads = false; ///< values at fixed positions are read before all loops
 
     bool operator==(const CodegenTarget&) const = default;
 };

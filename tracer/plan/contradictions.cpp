@@ -20,7 +20,6 @@ std::string inScene(const SceneFeatures& s) {
 }
 
 std::string inTarget(const CodegenTarget& t) {
-    if (t.preloads && t.cachedLoads) return "preloads together with cached loads";
     if (t.tile > 0 && !t.fallback) return "a target with tiles but without fallback";
     return {};
 }

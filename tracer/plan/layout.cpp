@@ -1,6 +1,7 @@
 #include "tracer/plan/layout.h"
 
 #include "tracer/accel/lattice.h"
+#include "tracer/plan/drawn.h"
 #include "tracer/scene/solid.h"
 
 #include <algorithm>

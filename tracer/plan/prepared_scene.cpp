@@ -2,6 +2,7 @@
 
 #include "tracer/accel/bounds.h"
 #include "tracer/accel/hierarchy.h"
+#include "tracer/plan/drawn.h"
 
 #include <atomic>
 #include <utility>

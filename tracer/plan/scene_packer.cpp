@@ -2,6 +2,7 @@
 
 #include "tracer/accel/lattice.h"
 #include "tracer/accel/node_texels.h"
+#include "tracer/plan/drawn.h"
 #include "tracer/plan/scene_offsets.h"
 #include "tracer/plan/shape_texels.h"
 #include "tracer/plan/solid_texels.h"
@@ -60,24 +61,27 @@ void packMaterial(const Material& m, const TextureSet& textureSet, const Tiles& 
                 placement(m.normalMap, tile(tiles.normals, normal), time)});
 }
 
-/// Into the free components of every triangle goes the middle of the box about all of them: rays are re-centred on it.
-void noteMiddleOfTriangles(std::vector<Shape>& shapes) {
+/// Of the box about all triangles. Rays are re-centred on it.
+glm::dvec3 middleOfTriangles(const std::vector<Shape>& shapes) {
     glm::dvec3 low(std::numeric_limits<double>::infinity()), high(-low);
     for (const Shape& shape : shapes)
         for (int i = 0; shape.kind == ShapeKind::Triangle && i < 3; ++i) {
-            low = glm::min(low, glm::dvec3(shape.texels[std::size_t(i)]));
-            high = glm::max(high, glm::dvec3(shape.texels[std::size_t(i)]));
+            low = glm::min(low, vertexOf(shape, i));
+            high = glm::max(high, vertexOf(shape, i));
         }
-    const glm::dvec3 middle = 0.5 * (low + high);
-    for (Shape& shape : shapes)
-        for (int i = 0; shape.kind == ShapeKind::Triangle && i < 3; ++i) shape.texels[std::size_t(i)].w = middle[i];
+    return 0.5 * (low + high);
+}
+
+/// Into the free components of the triangle that `texels` end with.
+void setMiddle(glm::dvec3 middle, std::vector<glm::vec4>& texels) {
+    for (int i = 0; i < 3; ++i) texels[texels.size() - 3 + std::size_t(i)].w = float(middle[i]);
 }
 
 /// A plane told from its point nearest to 0, so that neither that point nor the rounding of the normal is off by what
 /// float32 makes of the way to a stated point far from the scene.
 Shape toldFromHere(Shape plane) {
     const glm::dvec3 normal = pointOf(plane, "normal");
-    plane.texels[0] = glm::dvec4(glm::dot(pointOf(plane, "point"), normal) / glm::dot(normal, normal) * normal, 0);
+    setPoint(plane, "point", glm::dot(pointOf(plane, "point"), normal) / glm::dot(normal, normal) * normal);
     return plane;
 }
 
@@ -90,7 +94,6 @@ ScenePacker::ScenePacker(PreparedScenePtr prepared, glm::dvec3 origin)
 
 std::span<const glm::vec4> ScenePacker::pack(const Plan& plan, double time, glm::dvec3 eye) {
     shapes_ = shapesAbout(time);
-    noteMiddleOfTriangles(shapes_);
     texels_.clear();
     packShapes(eye - origin_);
     packSearches(plan.scene, glm::vec3(eye - origin_));
@@ -119,6 +122,7 @@ std::vector<Shape> ScenePacker::shapesAbout(double time) const {
 }
 
 void ScenePacker::packShapes(glm::dvec3 eye) {
+    const glm::dvec3 middle = middleOfTriangles(shapes_);
     for (const KindLayout& kind : prepared_->layout)
         for (const int i : kind.objects) {
             const Shape& shape = shapes_[std::size_t(i)];
@@ -126,6 +130,7 @@ void ScenePacker::packShapes(glm::dvec3 eye) {
                 appendTexels(shape, texels_);
             } else {
                 appendShape(drawnAs(kind.kind, shape, eye), texels_);
+                if (kind.kind == ShapeKind::Triangle) setMiddle(middle, texels_);
             }
         }
 }

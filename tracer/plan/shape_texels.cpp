@@ -1,13 +1,68 @@
 #include "tracer/plan/shape_texels.h"
 
+#include <cctype>
+
 namespace gnomon {
+namespace {
 
-std::string glslTypeOf(ShapeKind kind) { return std::string(shapeRow(kind).type); }
+/// Of a kind: where each of a shape's values lies among its texels.
+struct Packing {
+    std::array<int, kMaxShapeValues> component{}; ///< of value i: 4 * texel + component
+    int values = 0, texels = 0;
+};
 
-int texelsOf(ShapeKind kind) { return shapeRow(kind).texels; }
+Packing packingOf(const FieldList& fields) {
+    Packing packing;
+    packing.values = fields.valueCount();
+    for (const ShapeField& field : fields)
+        for (int v = 0; v < vectorCount(field.type); ++v, ++packing.texels)
+            for (int i = 0; i < 3; ++i) packing.component[std::size_t(field.at + 3 * v + i)] = 4 * packing.texels + i;
+    const int end = 4 * packing.texels;
+    int beside = 3, after = end; // the next free component beside a vector, and after all vectors
+    for (const ShapeField& field : fields) {
+        if (vectorCount(field.type) > 0) continue;
+        int& next = beside < end ? beside : after;
+        packing.component[std::size_t(field.at)] = next;
+        next += beside < end ? 4 : 1;
+    }
+    packing.texels = (after + 3) / 4;
+    return packing;
+}
+
+const Packing& packing(ShapeKind kind) {
+    static const auto all = [] {
+        std::array<Packing, kShapeKinds> packings;
+        for (int i = 0; i < kShapeKinds; ++i) packings[std::size_t(i)] = packingOf(shapeRow(ShapeKind(i)).fields);
+        return packings;
+    }();
+    return all[std::size_t(kind)];
+}
+
+} // namespace
+
+std::string glslTypeOf(ShapeKind kind) {
+    std::string type;
+    bool begins = true;
+    for (const char c : shapeRow(kind).key) {
+        if (c != '_') type += begins ? char(std::toupper(static_cast<unsigned char>(c))) : c;
+        begins = c == '_';
+    }
+    return type;
+}
+
+int texelsOf(ShapeKind kind) { return packing(kind).texels; }
+
+ShapeTexels packedShape(const Shape& shape) {
+    const Packing& to = packing(shape.kind);
+    ShapeTexels texels{};
+    for (std::size_t i = 0; i < std::size_t(to.values); ++i)
+        texels[std::size_t(to.component[i] / 4)][to.component[i] % 4] = shape.values[i];
+    return texels;
+}
 
 void appendShape(const Shape& shape, std::vector<glm::vec4>& out) {
-    for (int i = 0; i < texelsOf(shape.kind); ++i) out.emplace_back(shape.texels[std::size_t(i)]);
+    const ShapeTexels texels = packedShape(shape);
+    out.insert(out.end(), texels.begin(), texels.begin() + texelsOf(shape.kind));
 }
 
 } // namespace gnomon

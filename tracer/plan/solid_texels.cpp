@@ -14,10 +14,7 @@ int texelsBelow(const SolidNode& node) {
 /// `home` is what the node's coordinates become relative to.
 void append(const SolidNode& node, glm::dvec3 home, std::vector<glm::vec4>& out) {
     switch (node.op) {
-    case SolidOp::Shape: {
-        appendShape(translated(node.shape, -home), out);
-        break;
-    }
+    case SolidOp::Shape: appendShape(translated(node.shape, -home), out); break;
     case SolidOp::SmoothUnion:
     case SolidOp::Offset: out.emplace_back(glm::vec4(float(node.amount), 0, 0, 0)); break;
     case SolidOp::Transform:

@@ -51,10 +51,7 @@ bool fits(const PreparedScene& prepared, const Settings& settings, const gl::Inf
 Plan planFor(const PreparedScene& prepared, const Settings& settings, const gl::Info& info, bool overridden,
              Problems& problems) {
     Plan plan = splitPlanOf(prepared, settings, targetOf(info));
-    if (overridden) { // variants are of the library's own files
-        plan.split = {};
-        plan.target.cachedLoads = false;
-    }
+    if (overridden) plan.split = {}; // variants are of the library's own files
     const int texels = sceneTexels(plan.scene), room = plan.target.blockTexels;
     if (plan.scene.dataBlock && texels > room) {
         plan.scene.dataBlock = false;

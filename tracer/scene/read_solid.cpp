@@ -11,22 +11,20 @@ namespace {
 constexpr int kMostParts = 64;  ///< of a solid: each is code in the shader
 constexpr int kMostCopies = 64; ///< of a repetition that a point may be nearest to: each is an evaluation
 
-/// Packs the fields of an analytic shape as the shape table says.
+/// The fields of an analytic shape, as the shape table says.
 Shape readFields(const ObjectReader& reader, const ShapeRow& row, SceneReport& report) {
     Shape shape{row.kind, {}};
     for (const ShapeField& field : row.fields) {
-        glm::dvec4* texel = &shape.texels[std::size_t(field.texel)];
-        glm::dvec3 vector{0};
-        std::array<glm::dvec3, 3> vertices{};
-        if (field.type == FieldType::Length || field.type == FieldType::Number) {
-            reader.read(field.key, (*texel)[field.component]);
+        double* values = &shape.values[std::size_t(field.at)];
+        std::array<glm::dvec3, 3> vectors{};
+        if (vectorCount(field.type) == 0) {
+            reader.read(field.key, *values);
         } else if (field.type == FieldType::Vertices) {
-            reader.read(field.key, vertices);
-            for (int i = 0; i < 3; ++i) texel[i] = glm::dvec4(vertices[std::size_t(i)], 0);
+            reader.read(field.key, vectors);
         } else {
-            reader.read(field.key, vector);
-            *texel = glm::dvec4(vector, texel->w);
+            reader.read(field.key, vectors[0]);
         }
+        for (int i = 0; i < 3 * vectorCount(field.type); ++i) values[i] = vectors[std::size_t(i / 3)][i % 3];
     }
     if (reader.sound()) {
         const auto [what, remedy] = row.check(shape);
@@ -131,7 +129,7 @@ Shape readShape(const ObjectReader& object, SceneReport& report) {
     const bool analytic = node.op == SolidOp::Shape && node.shape.kind != ShapeKind::Mandelbulb;
     if (analytic || !object.sound() || !complete(node)) return node.shape;
     if (const int parts = partsOf(node); parts > kMostParts) {
-        report.add(object.line(), object.path(), "a body of " + std::to_string(parts) + " parts",
+        report.add(object.line(), object.path(), "a solid of " + std::to_string(parts) + " parts",
                    "use at most " + std::to_string(kMostParts) + ", or several objects");
         return {};
     }
@@ -144,7 +142,7 @@ Shape readShape(const ObjectReader& object, SceneReport& report) {
         return {};
     }
     if (auto shape = shapeOf(node)) return *shape;
-    report.add(object.line(), object.path(), "the body has no end",
+    report.add(object.line(), object.path(), "the solid has no end",
                "intersect its plane with something that has, or make the plane an object of its own");
     return {};
 }

@@ -1,4 +1,4 @@
-/// Reads what an object of a scene file is made of: one shape, or a body of several.
+/// Reads what an object of a scene file is made of: one shape, or a solid of several.
 #pragma once
 
 #include "tracer/scene/object_reader.h"

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace gnomon {
 
@@ -22,22 +21,9 @@ int centreOf(const Scene& scene, int index) {
     return around >= 0 && around < int(scene.objects.size()) ? around : -1;
 }
 
-/// How far a point is from the surface of a sphere.
-double heightAbove(const Shape& sphere, glm::dvec3 point) {
-    return std::abs(glm::distance(point, pointOf(sphere, "center")) - lengthOf(sphere, "radius"));
-}
-
 void addOnce(std::vector<std::string>& names, const std::string& name) {
     if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
 }
-
-double largest(glm::dvec3 v) { return std::max({v.x, v.y, v.z}); }
-
-struct Box {
-    glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
-    glm::dvec3 middle() const { return 0.5 * (low + high); }
-    double reach() const { return largest(0.5 * (high - low)); }
-};
 
 /// Every object's shape where `swing` of its orbit is how far it has moved from where it rests.
 template<typename Swing>
@@ -68,28 +54,6 @@ std::vector<Shape> placed(const Scene& scene, Swing swing) {
     return shapes;
 }
 
-/// All that bounded objects, large spheres aside, ever touch; empty, with a reach of -infinity, where there are none.
-Box bounded(const Scene& scene) {
-    Box box;
-    const std::vector<ShapeKind> kinds = drawnKinds(scene);
-    for (const double way : {-1.0, 1.0}) {
-        const auto shapes = placed(scene, [way](const Orbit& orbit) { return way * amplitude(orbit); });
-        for (std::size_t i = 0; i < shapes.size(); ++i)
-            if (const auto extent = shapeRow(kinds[i]).extent) {
-                const Extent own = extent(shapes[i]);
-                box.low = glm::min(box.low, own.low);
-                box.high = glm::max(box.high, own.high);
-            }
-    }
-    return box;
-}
-
-/// The least power of two above x > 0; 0 of 0.
-double powerOfTwoAbove(double x) {
-    int exponent = 0;
-    return std::frexp(x, &exponent) > 0 ? std::ldexp(1.0, exponent) : 0;
-}
-
 } // namespace
 
 bool Material::showsImages() const {
@@ -101,38 +65,17 @@ std::vector<Shape> shapesAt(const Scene& scene, double time) {
     return placed(scene, [time](const Orbit& orbit) { return swing(orbit, time); });
 }
 
+std::array<std::vector<Shape>, 2> outermostShapes(const Scene& scene) {
+    return {placed(scene, [](const Orbit& orbit) { return -amplitude(orbit); }),
+            placed(scene, [](const Orbit& orbit) { return amplitude(orbit); })};
+}
+
 bool changesWithTime(const Scene& scene) {
     const auto scrolls = [](const std::optional<TextureUse>& use) { return use && use->scroll != glm::dvec2(0); };
     return std::any_of(scene.objects.begin(), scene.objects.end(), [&](const Object& object) {
         const Material& material = scene.materials[std::size_t(object.material)];
         return object.motion || scrolls(material.texture) || scrolls(material.normalMap);
     });
-}
-
-std::vector<ShapeKind> drawnKinds(const Scene& scene) {
-    constexpr double kHuge = 100;
-    const std::vector<Shape> shapes = shapesAt(scene, 0);
-    double least = std::numeric_limits<double>::infinity();
-    for (const Shape& shape : shapes) least = std::min(least, sizeOf(shape));
-    std::vector<ShapeKind> kinds;
-    kinds.reserve(shapes.size());
-    for (const Shape& shape : shapes) {
-        const bool huge = shape.kind == ShapeKind::Sphere &&
-                          lengthOf(shape, "radius") > kHuge * std::min(least, heightAbove(shape, scene.camera.eye));
-        kinds.push_back(huge ? ShapeKind::LargeSphere : shape.kind);
-    }
-    return kinds;
-}
-
-glm::dvec3 originOf(const Scene& scene) {
-    const CameraPose& camera = scene.camera;
-    const Box box = bounded(scene);
-    const bool any = box.reach() >= 0;
-    const glm::dvec3 middle = any ? box.middle() : camera.eye;
-    const glm::dvec3 other = any ? camera.eye : camera.target;
-    const double step = powerOfTwoAbove(std::max(8 * box.reach(), 2 * largest(glm::abs(other - middle))));
-    if (step == 0) return glm::dvec3(0);
-    return glm::trunc(middle / step) * step + 0.0; // + 0: never -0, which would turn a coordinate of -0 into 0
 }
 
 std::vector<std::string> imagesOf(const Scene& scene) {

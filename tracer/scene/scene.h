@@ -5,6 +5,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
@@ -108,24 +109,12 @@ struct Scene {
 /// Every object's shape at `time` seconds.
 std::vector<Shape> shapesAt(const Scene&, double time);
 
+/// Every object's shape where its orbit takes it farthest against the axes, and farthest along them: a box about both
+/// holds it at any time.
+std::array<std::vector<Shape>, 2> outermostShapes(const Scene&);
+
 /// Whether anything in the picture changes with time: an object that moves, or an image on one.
 bool changesWithTime(const Scene&);
-
-/// The kind that the shader draws each object as: a sphere that is huge for its scene as a large sphere, all else as
-/// what it is. Huge is a radius above 100 times the size of some object of the scene, or the height of the scene's
-/// camera above that sphere. Up to there the float32 of a sphere, 2^-22 of its radius, is less than 3e-5 of the least
-/// thing to be seen on it. Nothing that moves from frame to frame counts, so that moving never recompiles; nor does the
-/// scene's unit.
-std::vector<ShapeKind> drawnKinds(const Scene&);
-
-/// What the shader's coordinates are relative to: 0 for a scene about the world's origin, else a point near the scene,
-/// so that float32 resolves a scene far away as finely as one at home. It lies on a grid whose step is the power of two
-/// above 8 times the reach of the bounded objects, their orbits included, and above twice their distance from the
-/// scene's camera: the grid point next to the middle of these objects, towards the world's origin. So no coordinate of
-/// theirs or of the camera's grows, and those that float32 holds it holds still. LargeSpheres and planes say nothing of
-/// where the scene is; in a scene of nothing else the camera does. It never changes while a scene is shown: neither
-/// time nor moving the eye counts.
-glm::dvec3 originOf(const Scene&);
 
 /// Names of all images the scene needs, each once, cube map faces spelled out.
 std::vector<std::string> imagesOf(const Scene&);

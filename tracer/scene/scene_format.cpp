@@ -157,7 +157,7 @@ ValueType valueType(FieldType type) {
     case FieldType::Point: return Vector;
     case FieldType::Direction: return Direction;
     case FieldType::Length:
-    case FieldType::Number: return Number;
+    case FieldType::Scalar: return Number;
     case FieldType::Lengths: return Vector;
     case FieldType::Vertices: return Vertices;
     }
@@ -171,7 +171,7 @@ const ObjectFormat& shapeFormat(const ShapeRow& row) {
             ObjectFormat& format = all.emplace_back();
             for (const ShapeField& field : shape.fields) {
                 const bool length = field.type == FieldType::Length || field.type == FieldType::Lengths;
-                const Range range = length ? kLength : field.type == FieldType::Number ? kCount : kCoordinate;
+                const Range range = length ? kLength : field.type == FieldType::Scalar ? kCount : kCoordinate;
                 format.fields.push_back({field.key, valueType(field.type), range, field.help, true});
             }
         }
@@ -183,7 +183,7 @@ const ObjectFormat& shapeFormat(const ShapeRow& row) {
 const ObjectFormat& partFormat();
 
 const ObjectFormat& offsetFormat() {
-    static const ObjectFormat format{"A body grown or shrunk all around",
+    static const ObjectFormat format{"A solid grown or shrunk all around",
                                      {{"of", Object, kAny, "What is grown", true, &partFormat()},
                                       {"by", Number, kOffset, "Outwards; negative: inwards", true}}};
     return format;
@@ -191,7 +191,7 @@ const ObjectFormat& offsetFormat() {
 
 const ObjectFormat& transformFormat() {
     static const ObjectFormat format{
-        "A body scaled, turned and moved, in this order",
+        "A solid scaled, turned and moved, in this order",
         {{"of", Object, kAny, "What is moved", true, &partFormat()},
          {"scale", Number, kScale, "Factor of all lengths; default 1"},
          {"rotate", Vector, kDegrees, "Degrees about x, then y, then z; default [0, 0, 0]"},
@@ -220,16 +220,16 @@ void addShapes(ObjectFormat& object) {
     add({"intersection", List, kParts, "What these have in common", false, &partFormat()});
     add({"difference", List, kParts, "The first without the others", false, &partFormat()});
     add({"smooth_union", List, kParts, "All of these, melted together where they meet", false, &partFormat()});
-    add({"offset", Object, kAny, "A body grown or shrunk", false, &offsetFormat()});
-    add({"transform", Object, kAny, "A body moved", false, &transformFormat()});
-    add({"repetition", Object, kAny, "Copies of a body", false, &repetitionFormat()});
+    add({"offset", Object, kAny, "A solid grown or shrunk", false, &offsetFormat()});
+    add({"transform", Object, kAny, "A solid moved", false, &transformFormat()});
+    add({"repetition", Object, kAny, "Copies of a solid", false, &repetitionFormat()});
     object.alternatives.push_back(shapes);
     object.fields.push_back({"blend", Number, kLength, "How far from a seam smooth_union still bends; default 0.25"});
 }
 
-/// A shape within a body. It refers to itself, so the schema needs its name.
+/// A shape within a solid. It refers to itself, so the schema needs its name.
 const ObjectFormat& partFormat() {
-    static ObjectFormat format{"A shape or a body", {}, {}, "part"};
+    static ObjectFormat format{"A shape or a solid", {}, {}, "part"};
     static bool complete = false;
     if (!complete) {
         complete = true;
@@ -240,7 +240,7 @@ const ObjectFormat& partFormat() {
 
 const ObjectFormat& objectFormat() {
     static const ObjectFormat format = [] {
-        ObjectFormat object{"One shape or body with its material", {}};
+        ObjectFormat object{"One shape or solid with its material", {}};
         addShapes(object);
         for (const FieldFormat& field : {
                  FieldFormat{"name", Text, kName, "For messages and for other objects to move around; unique"},

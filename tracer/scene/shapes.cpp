@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace gnomon {
@@ -18,7 +19,8 @@ Complaint nothingWrong(const Shape&) { return {}; }
 /// A triangle counts as degenerate where its height over its longest edge is below what float32 resolves of that edge.
 Complaint checkTriangle(const Shape& shape) {
     constexpr double kFloatResolution = 1.0 / (1 << 22);
-    const glm::dvec3 a{glm::vec3(shape.texels[0])}, b{glm::vec3(shape.texels[1])}, c{glm::vec3(shape.texels[2])};
+    const auto vertex = [&](int i) { return glm::dvec3(glm::vec3(vertexOf(shape, i))); };
+    const glm::dvec3 a = vertex(0), b = vertex(1), c = vertex(2);
     const double longest = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
     const double twiceArea = glm::length(glm::cross(b - a, c - a));
     if (twiceArea > kFloatResolution * longest * longest) return {};
@@ -48,7 +50,7 @@ Complaint checkAxis(const Shape& shape) {
 }
 
 Complaint checkMandelbulb(const Shape& shape) {
-    const double power = shape.texels[1].x, iterations = shape.texels[1].y;
+    const double power = lengthOf(shape, "power"), iterations = lengthOf(shape, "iterations");
     if (!(power >= 2 && power <= 16)) return {"power " + toString(power) + " is outside the limits", "use 2 to 16"};
     if (iterations == std::floor(iterations) && iterations <= 32) return {};
     return {"iterations " + toString(iterations) + " is no whole number up to 32", "use 1, 2, … 32"};
@@ -70,7 +72,7 @@ Extent discExtent(const Shape& s) {
 }
 
 Extent triangleExtent(const Shape& s) {
-    const glm::dvec3 a(s.texels[0]), b(s.texels[1]), c(s.texels[2]);
+    const glm::dvec3 a = vertexOf(s, 0), b = vertexOf(s, 1), c = vertexOf(s, 2);
     return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
 }
 
@@ -99,71 +101,81 @@ Extent coneExtent(const Shape& s) {
 
 /// The orbit of a point beyond 2^(1/(power-1)) escapes for any constant up to there.
 Extent mandelbulbExtent(const Shape& s) {
-    const double reach = std::pow(2.0, 1 / (s.texels[1].x - 1));
+    const double reach = std::pow(2.0, 1 / (lengthOf(s, "power") - 1));
     return about(pointOf(s, "center"), glm::dvec3(reach * lengthOf(s, "radius")));
 }
 
-const std::array<ShapeRow, kShapeKinds>& rows() {
-    using enum FieldType;
-    // clang-format off
-    static const std::array<ShapeRow, kShapeKinds> table{{
-        {ShapeKind::Sphere, "sphere", "Sphere", 1,
-         {{"center", Point, 0, 0, "Centre"},
-          {"radius", Length, 0, 3, "Radius"}},
-         nothingWrong, sphereExtent, true},
-        {ShapeKind::Plane, "plane", "Plane", 2,
-         {{"point", Point, 0, 0, "Any point of the plane"},
-          {"normal", Direction, 1, 0, "Direction across the plane, of any length"}},
-         nothingWrong, nullptr, true},
-        {ShapeKind::Disc, "disc", "Disc", 2,
-         {{"center", Point, 0, 0, "Centre"},
-          {"normal", Direction, 1, 0, "Direction across the disc, of any length"},
-          {"radius", Length, 0, 3, "Radius"}},
-         nothingWrong, discExtent, true},
-        {ShapeKind::Triangle, "triangle", "Triangle", 3,
-         {{"vertices", Vertices, 0, 0, "Three points a, b, c; the outside is where cross(b - a, c - a) points"}},
-         checkTriangle, triangleExtent, true},
-        {ShapeKind::Torus, "torus", "Torus", 2,
-         {{"center", Point, 0, 0, "Centre of the hole"},
-          {"axis", Direction, 1, 0, "Direction through the hole, of any length"},
-          {"major_radius", Length, 0, 3, "From the centre to the middle of the tube"},
-          {"minor_radius", Length, 1, 3, "Radius of the tube, less than major_radius"}},
-         checkTorus, torusExtent, false, true},
-        {ShapeKind::Box, "box", "Box", 2,
-         {{"center", Point, 0, 0, "Centre"},
-          {"half_size", Lengths, 1, 0, "From the centre to the faces across x, y and z"}},
-         nothingWrong, boxExtent, true},
-        {ShapeKind::Cylinder, "cylinder", "Cylinder", 2,
-         {{"from", Point, 0, 0, "Centre of one end"},
-          {"to", Point, 1, 0, "Centre of the other end"},
-          {"radius", Length, 0, 3, "Radius"}},
-         checkAxis, cylinderExtent, true, true},
-        {ShapeKind::Capsule, "capsule", "Capsule", 2,
-         {{"from", Point, 0, 0, "Centre of the round end"},
-          {"to", Point, 1, 0, "Centre of the other round end"},
-          {"radius", Length, 0, 3, "Radius of the ends and of the cylinder between them"}},
-         checkAxis, capsuleExtent, true, true},
-        {ShapeKind::Cone, "cone", "Cone", 2,
-         {{"from", Point, 0, 0, "Centre of the base"},
-          {"to", Point, 1, 0, "Apex"},
-          {"radius", Length, 0, 3, "Radius of the base"}},
-         checkAxis, coneExtent, true, true},
-        {ShapeKind::Mandelbulb, "mandelbulb", "Mandelbulb", 2,
-         {{"center", Point, 0, 0, "Centre"},
-          {"radius", Length, 0, 3, "Unit of length: the bulb of power 8 reaches about 1.2 of them"},
-          {"power", Number, 1, 0, "Power of the map, 2 to 16; 8 is the known one"},
-          {"iterations", Number, 1, 1, "How often points are mapped, 1 to 32: more show finer detail"}},
-         checkMandelbulb, mandelbulbExtent, false},
-        // Packed by largeSphereOf().
-        {ShapeKind::LargeSphere, "large_sphere", "LargeSphere", 2, {}, nothingWrong, nullptr, true},
-        {ShapeKind::Solid, "solid", "Solid", 1,
-         {{"center", Point, 0, 0, "Middle of the ball about it"},
-          {"radius", Length, 0, 3, "Radius of that ball"}},
-         nothingWrong, sphereExtent, false},
-    }};
-    // clang-format on
-    return table;
+using enum FieldType;
+
+// clang-format off
+constexpr ShapeRow kRows[] = {
+    {ShapeKind::Sphere, "sphere",
+     {{"center", Point, "Centre"},
+      {"radius", Length, "Radius"}},
+     nothingWrong, sphereExtent, true},
+    {ShapeKind::Plane, "plane",
+     {{"point", Point, "Any point of the plane"},
+      {"normal", Direction, "Direction across the plane, of any length"}},
+     nothingWrong, nullptr, true},
+    {ShapeKind::Disc, "disc",
+     {{"center", Point, "Centre"},
+      {"normal", Direction, "Direction across the disc, of any length"},
+      {"radius", Length, "Radius"}},
+     nothingWrong, discExtent, true},
+    {ShapeKind::Triangle, "triangle",
+     {{"vertices", Vertices, "Three points a, b, c; the outside is where cross(b - a, c - a) points"}},
+     checkTriangle, triangleExtent, true},
+    {ShapeKind::Torus, "torus",
+     {{"center", Point, "Centre of the hole"},
+      {"axis", Direction, "Direction through the hole, of any length"},
+      {"major_radius", Length, "From the centre to the middle of the tube"},
+      {"minor_radius", Length, "Radius of the tube, less than major_radius"}},
+     checkTorus, torusExtent, false, true},
+    {ShapeKind::Box, "box",
+     {{"center", Point, "Centre"},
+      {"half_size", Lengths, "From the centre to the faces across x, y and z"}},
+     nothingWrong, boxExtent, true},
+    {ShapeKind::Cylinder, "cylinder",
+     {{"from", Point, "Centre of one end"},
+      {"to", Point, "Centre of the other end"},
+      {"radius", Length, "Radius"}},
+     checkAxis, cylinderExtent, true, true},
+    {ShapeKind::Capsule, "capsule",
+     {{"from", Point, "Centre of the round end"},
+      {"to", Point, "Centre of the other round end"},
+      {"radius", Length, "Radius of the ends and of the cylinder between them"}},
+     checkAxis, capsuleExtent, true, true},
+    {ShapeKind::Cone, "cone",
+     {{"from", Point, "Centre of the base"},
+      {"to", Point, "Apex"},
+      {"radius", Length, "Radius of the base"}},
+     checkAxis, coneExtent, true, true},
+    {ShapeKind::Mandelbulb, "mandelbulb",
+     {{"center", Point, "Centre"},
+      {"radius", Length, "Unit of length: the bulb of power 8 reaches about 1.2 of them"},
+      {"power", Scalar, "Power of the map, 2 to 16; 8 is the known one"},
+      {"iterations", Scalar, "How often points are mapped, 1 to 32: more show finer detail"}},
+     checkMandelbulb, mandelbulbExtent, false},
+    {ShapeKind::LargeSphere, "large_sphere",
+     {{"anchor", Point, "Its point nearest to the eye"},
+      {"normal", Direction, "There"},
+      {"curvature", Scalar, "1 / the distance of the anchor from the centre"},
+      {"height", Scalar, "Of the anchor above the surface, of either sign"}},
+     nothingWrong, nullptr, true},
+    {ShapeKind::Solid, "solid",
+     {{"center", Point, "Centre of its bounding sphere"},
+      {"radius", Length, "Radius of that sphere"}},
+     nothingWrong, sphereExtent, false},
+};
+// clang-format on
+
+constexpr bool inOrderOfTheirKinds() {
+    for (int i = 0; i < kShapeKinds; ++i)
+        if (int(kRows[i].kind) != i || kRows[i].fields.valueCount() > kMaxShapeValues) return false;
+    return true;
 }
+static_assert(std::size(kRows) == std::size_t(kShapeKinds), "every ShapeKind has a row in the shape table");
+static_assert(inOrderOfTheirKinds(), "rows stand in the order of ShapeKind, with no more values than kMaxShapeValues");
 
 const ShapeField& fieldOf(const Shape& shape, std::string_view key) {
     const auto& fields = shapeRow(shape.kind).fields;
@@ -172,75 +184,90 @@ const ShapeField& fieldOf(const Shape& shape, std::string_view key) {
     return *field;
 }
 
-int pointsOf(FieldType type) { return type == FieldType::Vertices ? 3 : type == FieldType::Point ? 1 : 0; }
+int pointsOf(FieldType type) { return type == FieldType::Vertices || type == FieldType::Point ? vectorCount(type) : 0; }
 
-/// The nearest float32. Through memory, since GCC 12 at -O2 leaves the rounding of two neighbours out
-/// (SLP vectorizer; -O1, -fno-tree-slp-vectorize and clang do not).
-double rounded(double x) {
-    const volatile float stored = float(x);
-    return stored;
-}
-
-/// The sphere in the numbers that shaders/primitive/large_sphere.glsl reads, near `eye` within float32 of what is near,
-/// where centre and radius are within float32 of the radius only.
-Shape largeSphereOf(const Shape& sphere, glm::dvec3 eye) {
-    const glm::dvec3 center = pointOf(sphere, "center");
-    const double radius = lengthOf(sphere, "radius"), away = glm::distance(eye, center);
-    const glm::dvec3 towardsEye = away > 0 ? (eye - center) / away : glm::dvec3(0, 1, 0);
-    // The anchor is a point that float32 holds; all else is worked out for it, so that its rounding moves nothing.
-    const glm::dvec3 nearest = center + radius * towardsEye;
-    const glm::dvec3 anchor{rounded(nearest.x), rounded(nearest.y), rounded(nearest.z)};
-    const double reach = glm::distance(anchor, center);
-    const double height = (reach - radius) * (reach + radius) / (2 * reach);
-    return {ShapeKind::LargeSphere,
-            {glm::dvec4(anchor, 1 / reach), glm::dvec4((anchor - center) / reach, height), glm::dvec4(0)}};
+glm::dvec3 vectorAt(const Shape& shape, int at) {
+    const double* values = &shape.values[std::size_t(at)];
+    return {values[0], values[1], values[2]};
 }
 
 } // namespace
 
-std::span<const ShapeRow> shapeTable() { return std::span(rows()).first(kShapeKinds - 2); }
+std::span<const ShapeRow> shapeTable() { return std::span(kRows).first(std::size_t(ShapeKind::LargeSphere)); }
 
-const ShapeRow& shapeRow(ShapeKind kind) { return rows()[std::size_t(kind)]; }
+const ShapeRow& shapeRow(ShapeKind kind) { return kRows[std::size_t(kind)]; }
 
-glm::dvec3 pointOf(const Shape& shape, std::string_view key) {
-    return glm::dvec3(shape.texels[std::size_t(fieldOf(shape, key).texel)]);
+Shape makeShape(ShapeKind kind, std::initializer_list<glm::dvec3> vectors, std::initializer_list<double> scalars) {
+    Shape shape{kind, {}};
+    const glm::dvec3* vector = vectors.begin();
+    const double* scalar = scalars.begin();
+    for (const ShapeField& field : shapeRow(kind).fields) {
+        double* to = &shape.values[std::size_t(field.at)];
+        const int count = vectorCount(field.type);
+        for (int i = 0; i < count; ++i, ++vector) to = std::copy_n(&vector->x, 3, to);
+        if (count == 0) *to = *scalar++;
+    }
+    assert(vector == vectors.end() && scalar == scalars.end());
+    return shape;
 }
 
-double lengthOf(const Shape& shape, std::string_view key) {
+std::span<const double> valuesOf(const Shape& shape, std::string_view key) {
     const ShapeField& field = fieldOf(shape, key);
-    return shape.texels[std::size_t(field.texel)][field.component];
+    return std::span(shape.values).subspan(std::size_t(field.at), std::size_t(valueCount(field.type)));
 }
+
+std::span<double> valuesOf(Shape& shape, std::string_view key) {
+    const ShapeField& field = fieldOf(shape, key);
+    return std::span(shape.values).subspan(std::size_t(field.at), std::size_t(valueCount(field.type)));
+}
+
+glm::dvec3 pointOf(const Shape& shape, std::string_view key) { return vectorAt(shape, fieldOf(shape, key).at); }
+
+double lengthOf(const Shape& shape, std::string_view key) { return valuesOf(shape, key)[0]; }
+
+void setPoint(Shape& shape, std::string_view key, glm::dvec3 to) {
+    std::copy_n(&to.x, 3, valuesOf(shape, key).begin());
+}
+
+void setLength(Shape& shape, std::string_view key, double to) { valuesOf(shape, key)[0] = to; }
+
+glm::dvec3 vertexOf(const Shape& shape, int i) { return vectorAt(shape, 3 * i); }
 
 glm::dvec3 referencePoint(const Shape& shape) {
     for (const ShapeField& field : shapeRow(shape.kind).fields)
-        if (field.type == FieldType::Point || field.type == FieldType::Vertices)
-            return glm::dvec3(shape.texels[std::size_t(field.texel)]);
+        if (pointsOf(field.type) > 0) return vectorAt(shape, field.at);
     return glm::dvec3(0);
 }
 
 double sizeOf(const Shape& shape) {
     double size = 0;
-    std::array<glm::dvec3, kMaxShapeTexels> points;
+    std::array<glm::dvec3, kMaxShapeValues / 3> points;
     std::size_t count = 0;
     for (const ShapeField& field : shapeRow(shape.kind).fields) {
-        const glm::dvec4* texel = &shape.texels[std::size_t(field.texel)];
-        for (int i = 0; i < pointsOf(field.type); ++i) points[count++] = glm::dvec3(texel[i]);
-        if (field.type == FieldType::Length) size = std::max(size, (*texel)[field.component]);
-        if (field.type == FieldType::Lengths) size = std::max(size, glm::length(glm::dvec3(*texel)));
+        for (int i = 0; i < pointsOf(field.type); ++i) points[count++] = vectorAt(shape, field.at + 3 * i);
+        if (field.type == FieldType::Length) size = std::max(size, shape.values[std::size_t(field.at)]);
+        if (field.type == FieldType::Lengths) size = std::max(size, glm::length(vectorAt(shape, field.at)));
     }
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t k = 0; k < i; ++k) size = std::max(size, glm::distance(points[i], points[k]));
     return size > 0 ? size : std::numeric_limits<double>::infinity();
 }
 
-Shape drawnAs(ShapeKind kind, const Shape& shape, glm::dvec3 eye) {
-    return kind == ShapeKind::LargeSphere ? largeSphereOf(shape, eye) : shape;
+Shape translated(Shape shape, glm::dvec3 by) {
+    for (const ShapeField& field : shapeRow(shape.kind).fields)
+        for (int i = 0; i < 3 * pointsOf(field.type); ++i) shape.values[std::size_t(field.at + i)] += by[i % 3];
+    return shape;
 }
 
-Shape translated(Shape shape, glm::dvec3 by) {
-    for (const ShapeField& field : shapeRow(shape.kind).fields) {
-        for (int i = 0; i < pointsOf(field.type); ++i) shape.texels[std::size_t(field.texel + i)] += glm::dvec4(by, 0);
-    }
+double inFloat(double x) {
+    // Through memory: GCC 12 at -O2 leaves the rounding of two neighbours out (SLP vectorizer; -O1,
+    // -fno-tree-slp-vectorize and clang do not).
+    const volatile float stored = float(x);
+    return stored;
+}
+
+Shape inFloat(Shape shape) {
+    for (double& value : shape.values) value = inFloat(value);
     return shape;
 }
 

@@ -1,23 +1,23 @@
 /// The shape table: every analytic shape the tracer knows, one row each.
 ///
-/// A row gives the JSON key, the fields with their limits, and where each field lies in the texels the shader reads.
-/// From it come the scene reader, the schema, the packed scene data and the names the shader builder looks for. Adding
-/// a shape is one row here and one file shaders/primitive/KEY.glsl.
+/// A row gives the JSON key and the fields with their limits. From it come the scene reader, the schema, the packed
+/// scene data and the shader's names (tracer/plan/shape_texels.h). Adding a shape is a ShapeKind here, one row in
+/// shapes.cpp and one file shaders/primitive/KEY.glsl; a kind without its row does not compile.
 #pragma once
 
 #include <glm/glm.hpp>
 
 #include <array>
+#include <initializer_list>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace gnomon {
 
-/// Those that scene files name, and last what they may be drawn as: a huge sphere as a large sphere, a body of several
-/// shapes and a Mandelbulb, which has only a distance, as a solid.
+/// Those that scene files name, then those that only drawing knows: a huge sphere as a large sphere; several shapes,
+/// and a Mandelbulb, which has only a distance, as a solid.
 enum class ShapeKind {
     Sphere,
     Plane,
@@ -32,26 +32,51 @@ enum class ShapeKind {
     LargeSphere,
     Solid
 };
-inline constexpr int kShapeKinds = 12;
+inline constexpr int kShapeKinds = int(ShapeKind::Solid) + 1;
 
-/// Most texels (vec4) the geometry of one shape may take.
-inline constexpr int kMaxShapeTexels = 3;
+/// Most values that the fields of one shape have.
+inline constexpr int kMaxShapeValues = 9;
 
 enum class FieldType {
     Point,     ///< three coordinates, moves with the object
-    Direction, ///< three numbers, not all zero; normalised on reading
-    Length,    ///< one number > 0
-    Number,    ///< one number > 0 that is no length
-    Lengths,   ///< three numbers > 0, along x, y and z
-    Vertices,  ///< three points in one JSON array, in texels `texel`, `texel + 1`, `texel + 2`
+    Direction, ///< three values, not all zero; normalised on reading
+    Length,    ///< one value > 0
+    Scalar,    ///< one value > 0 that is no length
+    Lengths,   ///< three values > 0, along x, y and z
+    Vertices,  ///< three points in one JSON array
 };
+
+/// Vectors, of three values each, in a field of this type; 0 where it is one value.
+constexpr int vectorCount(FieldType type) {
+    if (type == FieldType::Length || type == FieldType::Scalar) return 0;
+    return type == FieldType::Vertices ? 3 : 1;
+}
+constexpr int valueCount(FieldType type) { return vectorCount(type) > 0 ? 3 * vectorCount(type) : 1; }
 
 struct ShapeField {
     std::string_view key;
     FieldType type;
-    int texel;     ///< first texel of the shape that holds it
-    int component; ///< first component: 0 for vectors, 3 for a scalar beside one
     std::string_view help;
+    int at = 0; ///< its first value's index among the shape's: FieldList sets it
+};
+
+/// The fields of a shape. Their values follow one another.
+class FieldList {
+  public:
+    constexpr FieldList(std::initializer_list<ShapeField> fields) {
+        for (const ShapeField& field : fields) {
+            fields_[std::size_t(count_)] = field;
+            fields_[std::size_t(count_++)].at = values_;
+            values_ += gnomon::valueCount(field.type);
+        }
+    }
+    constexpr const ShapeField* begin() const { return fields_.data(); }
+    constexpr const ShapeField* end() const { return fields_.data() + count_; }
+    constexpr int valueCount() const { return values_; }
+
+  private:
+    std::array<ShapeField, 4> fields_{};
+    int count_ = 0, values_ = 0;
 };
 
 struct Shape; // below
@@ -64,34 +89,42 @@ struct Extent {
 
 struct ShapeRow {
     ShapeKind kind;
-    std::string_view key;  ///< in scene files, and the file's name: shaders/primitive/KEY.glsl
-    std::string_view type; ///< in GLSL: struct TYPE, loadTYPE, intersectTYPE, surfaceTYPE
-    int texels;
-    std::vector<ShapeField> fields; ///< all required
+    std::string_view key; ///< in scene files, and the file's name: shaders/primitive/KEY.glsl
+    FieldList fields;     ///< all required
     /// What is wrong with a shape whose fields are each right; {} where nothing is. {what, remedy}
     std::array<std::string, 2> (*check)(const Shape&);
-    /// The smallest box about the shape; null where it has no end, as a plane, or is told otherwise, as a large sphere.
+    /// The smallest box about the shape; null where it has no end, as a plane, or is a large sphere.
     Extent (*extent)(const Shape&);
     bool convex;            ///< the set is, and so are its silhouettes: flat shapes, too
-    bool expensive = false; ///< to meet: a ball about it is much cheaper to ask, where few rays come near it
+    bool expensive = false; ///< to intersect: its bounding sphere is much cheaper to ask, where few rays come near it
 };
 
-/// One shape, its fields packed as the shader reads them.
+/// One shape: the values of its fields, in the order of the table.
 struct Shape {
     ShapeKind kind = ShapeKind::Sphere;
-    std::array<glm::dvec4, kMaxShapeTexels> texels{};
-    std::shared_ptr<const Solid> solid{}; ///< of a solid; its numbers are relative to `home`
+    std::array<double, kMaxShapeValues> values{};
+    std::shared_ptr<const Solid> solid{}; ///< of a solid; its values are relative to `home`
     glm::dvec3 home{0};                   ///< where the middle of a solid rests
 };
+
+/// Vectors and scalars as the table has them, each in its order.
+Shape makeShape(ShapeKind, std::initializer_list<glm::dvec3> vectors, std::initializer_list<double> scalars = {});
 
 /// The rows of the shapes that scene files name, in the order of ShapeKind.
 std::span<const ShapeRow> shapeTable();
 /// The row of any kind.
 const ShapeRow& shapeRow(ShapeKind);
 
-/// Reads a vector or scalar field back out of the packed shape.
+/// The vector of a field, or the first of several, and its scalar.
 glm::dvec3 pointOf(const Shape&, std::string_view field);
 double lengthOf(const Shape&, std::string_view field);
+/// All values of a field.
+std::span<double> valuesOf(Shape&, std::string_view field);
+std::span<const double> valuesOf(const Shape&, std::string_view field);
+void setPoint(Shape&, std::string_view field, glm::dvec3);
+void setLength(Shape&, std::string_view field, double);
+/// Of a triangle.
+glm::dvec3 vertexOf(const Shape&, int i);
 
 /// The point that stands for the whole shape where another object moves around it: its centre, the point of a plane,
 /// the first vertex.
@@ -100,12 +133,12 @@ glm::dvec3 referencePoint(const Shape&);
 /// The longest of a shape's lengths and of the distances between its points; infinite where it has neither: a plane.
 double sizeOf(const Shape&);
 
-/// A shape as the shader reads it where it is drawn as `kind`: itself, or a sphere as a large sphere. A large sphere is
-/// told from its point nearest to `eye`, where the picture is taken from: its errors grow with the distance from there,
-/// as what they look like shrinks.
-Shape drawnAs(ShapeKind kind, const Shape&, glm::dvec3 eye);
-
 /// The shape moved by `by`: every point and vertex of it.
 Shape translated(Shape, glm::dvec3 by);
+
+/// The nearest float32, as a shader reads it.
+double inFloat(double);
+/// The shape of such values.
+Shape inFloat(Shape);
 
 } // namespace gnomon

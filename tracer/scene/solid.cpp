@@ -98,11 +98,12 @@ std::optional<Shape> shapeOf(SolidNode root) {
     const auto box = extentOf(root);
     if (!box) return std::nullopt;
     Shape shape{ShapeKind::Solid, {}};
-    // Room for the rounding of numbers inside.
+    // Room for the rounding of values inside.
     const double reach = 0.5 * glm::length(box->high - box->low) * (1 + 1e-5) + 1e-9;
-    shape.texels[0] = glm::dvec4(0.5 * (box->low + box->high), reach);
+    shape.home = 0.5 * (box->low + box->high);
+    setPoint(shape, "center", shape.home);
+    setLength(shape, "radius", reach);
     shape.solid = std::make_shared<const Solid>(Solid{std::move(root)});
-    shape.home = glm::dvec3(shape.texels[0]);
     return shape;
 }
 

@@ -46,7 +46,6 @@ void addShape(const KindCount& kind, Names& names) {
     const std::string type = mapped(kind.type(), std::toupper);
     const bool estimates = kind.solid && estimated(*kind.solid);
     names.values[type + "_IMAGES"] = kind.images;
-    names.values["TRIANGLES"] |= int(kind.kind == ShapeKind::Triangle);
     names.values[type + "_CONVEX"] = shapeRow(kind.kind).convex;
     names.values[type + "_BOUNDED"] = shapeRow(kind.kind).extent != nullptr;
     names.values[type + "_SOLID"] = kind.solid != nullptr;
@@ -87,7 +86,6 @@ Names namesOf(const Plan& plan) {
         {"DATA_BLOCK", f.dataBlock},
         {"ITERATIONS_COUNTED", plan.target.iterationsCounted},
         {"PRELOADS", plan.target.preloads},
-        {"CACHED_LOADS", plan.target.cachedLoads},
         {"FALLBACK", plan.split.fallback},
         {"TILES", plan.split.tile > 0},
         {"FLOAT_TARGETS", plan.target.floatTargets},
@@ -117,7 +115,7 @@ Names namesOf(const Plan& plan) {
     };
     // Of any kind: none in a program that is left with no kind to ask.
     for (const char* name : {"SEARCHES", "LATTICES", "UNIFORM_GRIDS", "HIERARCHIES", "ESTIMATED_CASTERS",
-                             "MARCHED_CASTERS", "SPHERE_LATTICES", "NEARBY", "TRIANGLES"})
+                             "MARCHED_CASTERS", "SPHERE_LATTICES", "NEARBY"})
         names.values[name] = 0;
     // Solids have shapes for parts that the scene has no object of.
     for (const ShapeRow& row : shapeTable()) names.values[mapped(glslTypeOf(row.kind), std::toupper) + "_IMAGES"] = 0;

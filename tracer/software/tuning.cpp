@@ -12,7 +12,6 @@ CodegenTarget tunedFor(Rasteriser rasteriser, int mostPoint, CodegenTarget targe
     target.split = true;
     target.iterationsCounted = false;
     if (rasteriser == Rasteriser::SwiftShader) {
-        target.cachedLoads = true;
         target.fallback = kTile <= mostPoint;
         target.tile = target.fallback ? kTile : 0;
     } else {

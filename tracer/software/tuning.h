@@ -9,7 +9,7 @@ namespace gnomon {
 enum class Rasteriser {
     Gpu,
     Llvmpipe,   ///< and every other that we do not know better
-    SwiftShader ///< Chromium's: draws a pixel before it tests the depth, loads again what it has loaded before
+    SwiftShader ///< Chromium's: draws a pixel before it tests depth or stencil
 };
 
 /// `target`, for such a GL whose largest point is `mostPoint` pixels wide.

@@ -20,34 +20,14 @@ namespace gnomon::oracle {
 template<class R>
 using Wide = std::conditional_t<std::is_same_v<R, double>, long double, R>;
 
-/// Which numbers of a shape are meant: rounded to float32, as the shader gets them, or as the scene has them.
+/// Which values of a shape are meant: rounded to float32, as the shader gets them, or as the scene has them.
 enum class Numbers { OfTheShader, OfTheScene };
 
 template<class R>
 class Body {
   public:
-    explicit Body(Shape shape, Numbers numbers = Numbers::OfTheShader) : kind_(shape.kind) {
-        using W = Wide<R>;
-        if (numbers == Numbers::OfTheShader)
-            for (glm::dvec4& texel : shape.texels) texel = glm::dvec4(glm::vec4(texel));
-        const auto point = [&](int texel) { return Vec3<W>(glm::dvec3(shape.texels[std::size_t(texel)])); };
-        const auto number = [&](int texel) { return R(shape.texels[std::size_t(texel)].w); };
-        const bool axial = kind_ == ShapeKind::Cylinder || kind_ == ShapeKind::Capsule || kind_ == ShapeKind::Cone;
-        middle_ = point(0);
-        if (axial) middle_ = W(0.5) * (point(0) + point(1));
-        if (kind_ == ShapeKind::Triangle) middle_ = (1 / W(3)) * (point(0) + point(1) + point(2));
-        for (int i = 0; i < 3; ++i) vertices_[i] = Vec3<R>(point(i) - middle_);
-        radius_ = number(0);
-        if (kind_ == ShapeKind::Torus) minor_ = number(1);
-        if (kind_ == ShapeKind::Box) half_ = Vec3<R>(point(1));
-        if (axial) {
-            axis_ = unit(vertices_[1] - vertices_[0]);
-            halfLength_ = length(vertices_[1] - vertices_[0]) / 2;
-        } else if (kind_ == ShapeKind::Triangle) {
-            axis_ = unit(cross(vertices_[1] - vertices_[0], vertices_[2] - vertices_[0]));
-        } else if (kind_ == ShapeKind::Plane || kind_ == ShapeKind::Disc || kind_ == ShapeKind::Torus) {
-            axis_ = unit(Vec3<R>(point(1)));
-        }
+    explicit Body(const Shape& shape, Numbers numbers = Numbers::OfTheShader) : kind_(shape.kind) {
+        setFields(numbers == Numbers::OfTheShader ? inFloat(shape) : shape);
         size_ = sizeOf();
     }
 
@@ -179,6 +159,57 @@ class Body {
     }
 
   private:
+    void setFields(const Shape& shape) {
+        using W = Wide<R>;
+        const auto point = [&](std::string_view field) { return Vec3<W>(pointOf(shape, field)); };
+        const auto direction = [&](std::string_view field) { return unit(Vec3<R>(point(field))); };
+        const auto scalar = [&](std::string_view field) { return R(lengthOf(shape, field)); };
+        switch (kind_) {
+        case ShapeKind::Sphere:
+            middle_ = point("center");
+            radius_ = scalar("radius");
+            break;
+        case ShapeKind::Plane:
+            middle_ = point("point");
+            axis_ = direction("normal");
+            break;
+        case ShapeKind::Disc:
+            middle_ = point("center");
+            axis_ = direction("normal");
+            radius_ = scalar("radius");
+            break;
+        case ShapeKind::Triangle:
+            middle_ =
+                (1 / W(3)) * (Vec3<W>(vertexOf(shape, 0)) + Vec3<W>(vertexOf(shape, 1)) + Vec3<W>(vertexOf(shape, 2)));
+            for (int i = 0; i < 3; ++i) vertices_[i] = Vec3<R>(Vec3<W>(vertexOf(shape, i)) - middle_);
+            axis_ = unit(cross(vertices_[1] - vertices_[0], vertices_[2] - vertices_[0]));
+            break;
+        case ShapeKind::Torus:
+            middle_ = point("center");
+            axis_ = direction("axis");
+            radius_ = scalar("major_radius");
+            minor_ = scalar("minor_radius");
+            break;
+        case ShapeKind::Box:
+            middle_ = point("center");
+            half_ = Vec3<R>(point("half_size"));
+            break;
+        case ShapeKind::Cylinder:
+        case ShapeKind::Capsule:
+        case ShapeKind::Cone: {
+            middle_ = W(0.5) * (point("from") + point("to"));
+            const Vec3<R> along = Vec3<R>(point("to") - middle_) - Vec3<R>(point("from") - middle_);
+            axis_ = unit(along);
+            halfLength_ = length(along) / 2;
+            radius_ = scalar("radius");
+            break;
+        }
+        case ShapeKind::LargeSphere:
+        case ShapeKind::Mandelbulb:
+        case ShapeKind::Solid: noAnswer();
+        }
+    }
+
     /// Ends the program: a wrong reference would make every comparison with it worthless.
     R noAnswer() const {
         const std::string_view key = shapeRow(kind_).key;

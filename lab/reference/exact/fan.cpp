@@ -13,9 +13,8 @@ Fan::Fan(glm::dvec3 middle) : middle_(middle) {
         rim_.emplace_back(middle + glm::dvec3(std::cos(angle), std::sin(angle), number(-0.3, 0.3)));
     }
     for (int i = 0; i < kSpokes; ++i) {
-        const auto vertex = [](glm::vec3 v) { return glm::dvec4(glm::dvec3(v), 0); };
-        triangles_.push_back(
-            {ShapeKind::Triangle, {vertex(middle_), vertex(rim_[i]), vertex(rim_[(i + 1) % kSpokes])}});
+        const glm::vec3 vertices[] = {middle_, rim_[i], rim_[(i + 1) % kSpokes]};
+        triangles_.push_back(makeShape(ShapeKind::Triangle, {vertices[0], vertices[1], vertices[2]}));
     }
 }
 

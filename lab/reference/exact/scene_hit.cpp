@@ -1,6 +1,7 @@
 #include "lab/reference/exact/scene_hit.h"
 
 #include "lab/reference/exact/exact_hit.h"
+#include "tracer/plan/drawn.h"
 
 #include <algorithm>
 #include <cmath>

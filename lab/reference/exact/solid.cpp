@@ -20,11 +20,11 @@ glm::dvec3 powerOf(glm::dvec3 z, double power) {
 }
 
 double estimateOf(const Shape& bulb, glm::dvec3 p) {
-    const double radius = bulb.texels[0].w, power = bulb.texels[1].x;
-    const glm::dvec3 c = (p - glm::dvec3(bulb.texels[0])) / radius;
+    const double radius = lengthOf(bulb, "radius"), power = lengthOf(bulb, "power");
+    const glm::dvec3 c = (p - pointOf(bulb, "center")) / radius;
     glm::dvec3 z = c;
     double slope = 1;
-    for (int i = 0; i < int(bulb.texels[1].y) && glm::length(z) <= 2; ++i) {
+    for (int i = 0; i < int(lengthOf(bulb, "iterations")) && glm::length(z) <= 2; ++i) {
         slope = power * std::pow(glm::length(z), power - 1) * slope + 1;
         z = powerOf(z, power) + c;
     }

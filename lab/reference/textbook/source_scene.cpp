@@ -37,11 +37,7 @@ Material skyMaterial(const SkyFace& face, const std::string& cubemap) {
 
 /// Through the corner of the cube where the image begins, facing the scene.
 Shape skyPlane(const SkyFace& face) {
-    Shape plane;
-    plane.kind = ShapeKind::Plane;
-    plane.texels[0] = glm::dvec4(kSkyDistance * (face.outward - face.across - face.down), 0);
-    plane.texels[1] = glm::dvec4(-face.outward, 0);
-    return plane;
+    return makeShape(ShapeKind::Plane, {kSkyDistance * (face.outward - face.across - face.down), -face.outward});
 }
 
 void addSky(Scene& scene) {
@@ -56,12 +52,7 @@ void addSky(Scene& scene) {
     scene.background.cubemap.clear();
 }
 
-Shape triangle(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
-    Shape shape;
-    shape.kind = ShapeKind::Triangle;
-    shape.texels = {glm::dvec4(a, 0), glm::dvec4(b, 0), glm::dvec4(c, 0)};
-    return shape;
-}
+Shape triangle(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) { return makeShape(ShapeKind::Triangle, {a, b, c}); }
 
 /// Two a face, wound so that their normals point out of the box.
 std::vector<Shape> trianglesOf(const Shape& box) {

@@ -1,0 +1,72 @@
+#include "tracer/png.h"
+
+#include <algorithm>
+#include <array>
+
+namespace gnomon {
+namespace {
+
+using Bytes = std::span<const std::uint8_t>;
+
+constexpr std::array<std::uint8_t, 8> kSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+constexpr std::size_t kAroundChunk = 12; ///< length and name before it, checksum behind it
+
+std::uint32_t numberAt(Bytes bytes, std::size_t at) {
+    return std::uint32_t(bytes[at]) << 24 | std::uint32_t(bytes[at + 1]) << 16 | std::uint32_t(bytes[at + 2]) << 8 |
+           std::uint32_t(bytes[at + 3]);
+}
+
+constexpr std::uint32_t named(const char (&name)[5]) {
+    return std::uint32_t(name[0]) << 24 | std::uint32_t(name[1]) << 16 | std::uint32_t(name[2]) << 8 |
+           std::uint32_t(name[3]);
+}
+
+/// By the header's colour type; 0 of unknown ones.
+int channelsOf(std::uint8_t colorType) {
+    switch (colorType) {
+    case 0: // grey
+    case 3: // palette
+        return 1;
+    case 2: return 3;
+    case 4: return 2;
+    case 6: return 4;
+    default: return 0;
+    }
+}
+
+} // namespace
+
+std::uint64_t PngHeader::decodeBytes() const {
+    const std::uint64_t channelBytes = bits == 16 ? 2 : 1;
+    return pixels() * (std::uint64_t(channels) + 4) * channelBytes;
+}
+
+bool isPng(Bytes bytes) {
+    return bytes.size() >= kSignature.size() && std::equal(kSignature.begin(), kSignature.end(), bytes.begin());
+}
+
+std::optional<PngHeader> pngHeader(Bytes bytes) {
+    constexpr std::uint32_t kMostSide = 0x7fffffff;
+    if (bytes.size() < kPngHeaderBytes || !isPng(bytes) || numberAt(bytes, 12) != named("IHDR")) return std::nullopt;
+    const std::uint32_t width = numberAt(bytes, 16), height = numberAt(bytes, 20);
+    const int channels = channelsOf(bytes[25]);
+    if (std::min(width, height) == 0 || std::max(width, height) > kMostSide || channels == 0) return std::nullopt;
+    return PngHeader{int(width), int(height), bytes[24], channels};
+}
+
+std::optional<std::vector<std::uint8_t>> withoutEmptyChunks(Bytes bytes) {
+    std::uint64_t at = kSignature.size(); // whatever length a chunk claims, this does not overflow
+    const auto chunkHere = [&] { return isPng(bytes) && at + kAroundChunk <= bytes.size(); };
+    while (chunkHere() && numberAt(bytes, std::size_t(at) + 4) != named("IDAT"))
+        at += kAroundChunk + numberAt(bytes, std::size_t(at));
+    const std::uint64_t begin = at;
+    while (chunkHere() && numberAt(bytes, std::size_t(at) + 4) == named("IDAT") &&
+           numberAt(bytes, std::size_t(at)) == 0)
+        at += kAroundChunk;
+    if (at == begin) return std::nullopt;
+    std::vector<std::uint8_t> rest(bytes.begin(), bytes.begin() + std::ptrdiff_t(begin));
+    rest.insert(rest.end(), bytes.begin() + std::ptrdiff_t(at), bytes.end());
+    return rest;
+}
+
+} // namespace gnomon
