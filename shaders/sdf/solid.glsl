@@ -57,7 +57,7 @@ bool intersect$Shape($Shape solid, Ray ray, float side, inout float t) {
         float field = marched$Shape(solid.at, near.origin + s * ray.direction).w;
         if (inside == 0.0) inside = field < 0.0 ? -1.0 : 1.0;
         free = inside * field;
-        met = free < 0.0 && i > 0;
+        met = free < -finest && i > 0;
         if (!met) {
             last = s;
             known = free;
@@ -118,12 +118,12 @@ bool intersect$Shape($Shape solid, Ray ray, float side, inout float t) {
 #endif
     if (!met) return false;
 #if MARCH == MARCH_STEPS || !$SHAPE_ESTIMATED
-    // Between `last` and s by false position.
-    float beyond = s, depth = free;
-    known = max(known, 0.0);
+    // Where the solid is `finest` deep, between `last` and s by false position.
+    float beyond = s, depth = free + finest;
+    known = max(known, 0.0) + finest;
     for (int i = 0; i < 16; ++i) {
         s = mix(last, beyond, known / (known - depth));
-        free = inside * marched$Shape(solid.at, near.origin + s * ray.direction).w;
+        free = inside * marched$Shape(solid.at, near.origin + s * ray.direction).w + finest;
         if (abs(free) < 0.5 * finest || beyond - last < finest) break;
         bool nearer = free > 0.0;
         last = nearer ? s : last;

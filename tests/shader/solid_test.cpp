@@ -87,18 +87,18 @@ TEST_P(Solids, TellTheFieldOfTheirTree) {
     EXPECT_GT(smooth, estimated_ ? -1 : 1000);
 }
 
-/// The first zero of the field along a ray, by steps that never pass it; infinity where there is none. `grazed` is the
-/// least that the ray receded from beforehand, over the width of the pixel's cone.
-double firstZero(const SolidNode& tree, glm::dvec3 eye, glm::dvec3 direction, double pixel, double& grazed) {
+/// Where a ray first has the solid behind its surface, to a few 1e-6 over its slant; infinity where it never has.
+/// `grazed` is the least that the ray receded from beforehand, over the width of the pixel's cone.
+double firstHit(const SolidNode& tree, glm::dvec3 eye, glm::dvec3 direction, double pixel, double& grazed) {
     double t = 0, before = 1e30;
     grazed = 1e30;
-    for (int i = 0; i < 20000 && t < 10; ++i) {
+    for (int i = 0; i < 40000 && t < 10; ++i) {
         const double free = oracle::fieldOf(tree, eye + t * direction);
-        if (free < 1e-7) return t;
+        if (free < -1e-6) return t;
         const double width = free / (pixel * t + 1e-12);
         if (width > before) grazed = std::min(grazed, before);
         before = width;
-        t += free;
+        t += std::max(free, 2e-6);
     }
     return INFINITY;
 }
@@ -128,7 +128,7 @@ TEST_P(Solids, AreMetWhereTheirFieldIsZero) {
                 const glm::dvec3 direction =
                     glm::normalize(camera.forward + camera.halfHeight * (u * camera.right + v * camera.up));
                 double grazed;
-                const double exact = firstZero(treeOf(scene_), camera.eye, direction, pixel, grazed);
+                const double exact = firstHit(treeOf(scene_), camera.eye, direction, pixel, grazed);
                 const float t = *seen.distance.at(x, y);
                 if (estimated_ && grazed < 1) continue; // a pixel wide, it may be either
                 ++compared;
