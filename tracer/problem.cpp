@@ -1,5 +1,7 @@
 #include "tracer/problem.h"
 
+#include "tracer/printable.h"
+
 #include <algorithm>
 #include <cstdio>
 #include <numeric>
@@ -70,7 +72,7 @@ std::string toString(const Problem& problem) {
     if (!problem.path.empty()) text += problem.path + ": ";
     text += problem.what;
     if (!problem.remedy.empty()) text += "; " + problem.remedy;
-    return text;
+    return printable(text);
 }
 
 std::string toString(const Problems& problems) {

@@ -32,9 +32,18 @@ void checkFileOptions(const LabOptions& options, Problems& problems) {
         if (!file.empty()) prepareOutput(file, problems);
 }
 
+std::string inShell(const std::string& word) {
+    const bool plain = word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:+-") ==
+                       std::string::npos;
+    if (plain && !word.empty()) return word;
+    std::string quoted = "'";
+    for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
 std::string listOption(const std::string& name, const std::vector<std::string>& values) {
     std::string text;
-    for (const std::string& value : values) text += (text.empty() ? " --" + name + "=" : ",") + value;
+    for (const std::string& value : values) text += (text.empty() ? " --" + name + "=" : ",") + inShell(value);
     return text;
 }
 

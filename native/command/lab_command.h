@@ -23,6 +23,9 @@ void checkLabOptions(const LabOptions&, Problems&);
 void addFileOptions(CLI::App& command, LabOptions&);
 void checkFileOptions(const LabOptions&, Problems&);
 
+/// A word as a shell takes it for itself: in quotes where it has anything but letters, digits and what means nothing.
+std::string inShell(const std::string& word);
+
 /// ` --NAME=A,B,…` for a command that makes the same numbers again; empty where there are no values.
 std::string listOption(const std::string& name, const std::vector<std::string>& values);
 
