@@ -1,4 +1,4 @@
-// Reads at fixed places: with CACHED_LOADS they are made once, before all loops, and kept in variables: for
+// Reads at fixed addresses: with CACHED_LOADS they are made once, before all loops, and kept in variables: for
 // SwiftShader, whose compiler makes each read anew, and each is a call that samples a texture.
 //
 // object      record of an object of its kind
