@@ -1,6 +1,6 @@
-// A body of a form that is told by its distances: what rays and shadows do with the generated fieldTYPE().
+// A solid of a form that is told by its distances: what rays and shadows do with the generated fieldTYPE().
 //
-// intersect  nearest t in (ray.tMin, t), found by marching between where the ray enters and leaves the body's ball.
+// intersect  nearest t in (ray.tMin, t), found by marching between where the ray enters and leaves the solid's ball.
 //            frame.marchSteps steps at most: what they do not reach is not met.
 //            MARCH_STEPS: equal steps of the ball, then bisection: what is thinner than a step may be missed
 //            MARCH_SPHERE: steps as long as the distance, until that is what float32 resolves of the ball
@@ -32,8 +32,8 @@ vec4 marched$Shape(int at, vec3 p) {
 bool intersect$Shape($Shape solid, Ray ray, float side, inout float t) {
     if (side == 0.0 && passesBy(ray, solid.ball)) return false;
     NearRay near = recentre(ray.origin, solid.ball.xyz, ray.direction);
-    float away = length(near.origin);
-    float chord = sqrt(max((solid.ball.w - away) * (solid.ball.w + away), 0.0));
+    float radial = length(near.origin);
+    float chord = sqrt(max((solid.ball.w - radial) * (solid.ball.w + radial), 0.0));
     float s = max(-chord, (ray.tMin - near.tHigh) - near.tLow);
     float end = min(chord, (t - near.tHigh) - near.tLow);
     float finest = 1e-6 * solid.ball.w;
@@ -132,14 +132,14 @@ Surface surface$Shape($Shape solid, Ray ray, float t) {
 #if $SHAPE_ESTIMATED
     p -= free * normal;
 #else
-    // Twice: by an edge the first step lands beside the body, on the plane of one face, the second on the other face.
+    // Twice: by an edge the first step lands beside the solid, on the plane of one face, the second on the other face.
     p -= free / max(steep, 0.5) * normal;
     vec4 beside = field$Shape(solid.at, p);
     p -= beside.w * beside.xyz / max(dot(beside.xyz, beside.xyz), 0.25);
 #endif
-    // A cone that grazes a silhouette ends beside what is turned away already: it sees the rim.
-    float away = dot(normal, ray.direction);
-    if (free >= 0.0 ? away > 0.0 : away < 0.0) normal = normalize(normal - 1.001 * away * ray.direction);
+    // A cone that grazes a silhouette ends beside what is turned off already: it sees the rim.
+    float facing = dot(normal, ray.direction);
+    if (free >= 0.0 ? facing > 0.0 : facing < 0.0) normal = normalize(normal - 1.001 * facing * ray.direction);
     Surface surface = bareSurface(solid.ball.xyz + p, normal, 0.0);
 #if IMAGES
     surface.uv = p.xz;
