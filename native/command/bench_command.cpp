@@ -152,7 +152,7 @@ int finish(const BenchOptions& options, const BenchPlan& plan, const std::vector
     for (const std::string& file : {options.files.json, options.files.html})
         if (!file.empty() && problems.empty()) std::printf("%s written\n", printable(file).c_str());
     if (!problems.empty()) return fail(complete ? kInputWrong : kNoGl, problems);
-    return LabProgress::interrupted() ? kInterrupted : kDone;
+    return doneOrInterrupted();
 }
 
 int bench(const BenchOptions& options) {

@@ -61,6 +61,8 @@ void writeResults(const LabOptions& options, const Results& results, Problems& p
     if (!options.html.empty()) writeOutput(options.html, toHtml({&results, 1}), problems);
 }
 
+int doneOrInterrupted() { return LabProgress::interrupted() ? kInterrupted : kDone; }
+
 void addLab(CLI::App& app, Task& task) {
     auto* lab = app.add_subcommand("lab", "Measures the tracer's own methods: speed beside error and counters");
     lab->require_subcommand(1);

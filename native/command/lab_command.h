@@ -38,6 +38,9 @@ void printEnvironment(const Environment&);
 /// Writes the files asked for; a problem for each that cannot be written.
 void writeResults(const LabOptions&, const Results&, Problems&);
 
+/// The exit code where no problem was found.
+int doneOrInterrupted();
+
 void addIntersectLab(CLI::App& lab, Task& task);
 void addTraceLab(CLI::App& lab, Task& task);
 void addShadowLab(CLI::App& lab, Task& task);
