@@ -1,5 +1,7 @@
 #include "native/exit.h"
 
+#include "tracer/printable.h"
+
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -13,7 +15,7 @@ namespace gnomon {
 int fail(ExitCode code, const Problems& problems) {
     std::fflush(stdout); // what was printed before stands before them
     for (const auto& problem : screenful(problems))
-        std::fprintf(stderr, "gnomon: error: %s\n", toString(problem).c_str());
+        std::fprintf(stderr, "gnomon: error: %s\n", printable(toString(problem)).c_str());
     return code;
 }
 

@@ -1,7 +1,5 @@
 #include "tracer/problem.h"
 
-#include "tracer/printable.h"
-
 #include <algorithm>
 #include <cstdio>
 #include <numeric>
@@ -72,7 +70,7 @@ std::string toString(const Problem& problem) {
     if (!problem.path.empty()) text += problem.path + ": ";
     text += problem.what;
     if (!problem.remedy.empty()) text += "; " + problem.remedy;
-    return printable(text);
+    return text;
 }
 
 std::string toString(const Problems& problems) {

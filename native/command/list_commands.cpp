@@ -100,7 +100,7 @@ int info(bool asJson) {
     warnOfNumerics(report["contexts"]);
     if (asJson) return printJson(report);
     std::printf("gnomon   " GNOMON_VERSION "\nassets   %s\n",
-                assets ? printable(assets->root().string()).c_str() : toString(problems).c_str());
+                assets ? printable(assets->root().string()).c_str() : printable(toString(problems), true).c_str());
     for (const auto& [name, context] : report["contexts"].items()) printContext(name, context);
     return kDone;
 }

@@ -15,11 +15,11 @@ namespace {
 class UnknownNames {
   public:
     void add(const std::string& name, int line, std::string path) {
-        const auto [at, isNew] = places_.emplace(name, all_.size());
+        const auto [at, isNew] = places_.emplace(name, int(all_.size()));
         if (isNew)
             all_.push_back({name, line, std::move(path)});
         else
-            ++all_[at->second].more;
+            ++all_[std::size_t(at->second)].more;
     }
     /// In the order of the file.
     void report(std::string_view what, const std::vector<std::string_view>& known, const char* remedy,
@@ -39,7 +39,7 @@ class UnknownNames {
         std::string path;
         int more = 0;
     };
-    std::unordered_map<std::string, std::size_t> places_;
+    std::unordered_map<std::string, int> places_; ///< in `all_`
     std::vector<Unknown> all_;
 };
 
