@@ -9,10 +9,10 @@
 //            MARCH_RELAXED: that with steps as long as if the distance went on to change along the ray as it did, taken
 //            back where the balls free of the surface about both ends do not touch
 //            Where the surface is as near as the least step, the step is to where its tangent plane says, and a little
-//            beyond. Only what has the
-//            solid beyond it is met: a surface that the ray just touches, as the skin that two flush solids leave over
-//            a hole, is passed. Steps and so t are the same whatever was met before: of equal solids the first is met.
-//            An estimate has no gradient and its surface no end of detail: the least step's nearness meets it
+//            beyond. Only what has the solid beyond it is met: a surface that the ray just touches, as the skin that
+//            two flush solids leave over a hole, is passed. Steps and so t are the same whatever was met before: of
+//            equal solids the first is met. An estimate has no gradient, and its surface detail without end: it is met
+//            where it is as near as the least step
 // surface    the point pulled onto the surface along the gradient; images lie on it as on a floor, in scene units
 // gradient   of an estimate: differences over a tetrahedron of size `reach`
 // Error      t: a point at most 2^-19 of the sphere's radius off the surface; what is thinner than that is not met.
@@ -162,7 +162,7 @@ Surface surface$Shape($Shape solid, Ray ray, float t) {
     float facing = dot(normal, ray.direction);
     if (free >= 0.0 ? facing > 0.0 : facing < 0.0) normal = normalize(normal - 1.001 * facing * ray.direction);
 #else
-    // Twice: by an edge the first step lands beside the body, on the plane of one face, the second on the other face.
+    // Twice: by an edge the first step lands beside the solid, on the plane of one face, the second on the other face.
     p -= free / max(steep, 0.5) * normal;
     vec4 beside = field$Shape(solid.at, p);
     p -= beside.w * beside.xyz / max(dot(beside.xyz, beside.xyz), 0.25);
