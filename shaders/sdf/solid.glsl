@@ -15,7 +15,7 @@
 //            where it is as near as the least step
 // surface    the point pulled onto the surface along the gradient; images lie on it as on a floor, in scene units
 // gradient   of an estimate: differences over a tetrahedron of size `reach`
-// Error      t: a point at most 2^-19 of the sphere's radius off the surface; what is thinner than that is not met.
+// Error      t: a point at most 2^-18 of the sphere's radius off the surface; what is thinner than that is not met.
 //            Of an estimate: short of the surface by what the pixel covers, the point at most half of that beside it
 //            (tests/shader/solid_test.cpp)
 // Source     J. Hart, Sphere Tracing, 1996; J. Amanatides, Ray Tracing with Cones, 1984;
@@ -118,18 +118,18 @@ bool intersect$Shape($Shape solid, Ray ray, float side, inout float t) {
 #endif
     if (!met) return false;
 #if MARCH == MARCH_STEPS || !$SHAPE_ESTIMATED
-    // Where the solid is `finest` deep, between `last` and s by false position.
+    // Where the solid is about `finest` deep, between `last` and s by false position.
     float beyond = s, depth = free + finest;
+    float off = depth;
     known = max(known, 0.0) + finest;
-    for (int i = 0; i < 16; ++i) {
+    for (int i = 0; i < 16 && abs(off) > 2.0 * finest && beyond - last > finest; ++i) {
         s = mix(last, beyond, known / (known - depth));
-        free = inside * marched$Shape(solid.at, near.origin + s * ray.direction).w + finest;
-        if (abs(free) < 0.5 * finest || beyond - last < finest) break;
-        bool nearer = free > 0.0;
+        off = inside * marched$Shape(solid.at, near.origin + s * ray.direction).w + finest;
+        bool nearer = off > 0.0;
         last = nearer ? s : last;
-        known = nearer ? free : 0.5 * known;
+        known = nearer ? off : 0.5 * known;
         beyond = nearer ? beyond : s;
-        depth = nearer ? 0.5 * depth : free;
+        depth = nearer ? 0.5 * depth : off;
     }
 #endif
     float hit = near.tHigh + (near.tLow + s);

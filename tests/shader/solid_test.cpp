@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -121,7 +122,7 @@ TEST_P(Solids, AreMetWhereTheirFieldIsZero) {
     const double pixel = 2 * camera.halfHeight / 48;
     for (const March march : {March::Steps, March::Sphere, March::Cone, March::Relaxed}) {
         const Seen seen = look(scene_, march);
-        int met = 0, compared = 0;
+        int met = 0, compared = 0, smooth = 0;
         for (int y = 0; y < 48; ++y)
             for (int x = 0; x < 64; ++x) {
                 const double u = (2 * (x + 0.5) / 64 - 1) * 64.0 / 48, v = 1 - 2 * (y + 0.5) / 48;
@@ -149,14 +150,53 @@ TEST_P(Solids, AreMetWhereTheirFieldIsZero) {
                 const double off = !estimated_ ? 2e-5 : march >= March::Cone ? cone : 2e-3;
                 ASSERT_LE(std::abs(oracle::fieldOf(treeOf(scene_), p)), off) << "pixel " << x << " " << y;
                 ASSERT_NEAR(glm::length(normal), 1, 1e-5);
+                if (!estimated_ && smoothAt(treeOf(scene_), p)) {
+                    ++smooth;
+                    ASSERT_GT(glm::dot(normal, glm::normalize(slopeOf(treeOf(scene_), p))), 0.9998) // a degree
+                        << "pixel " << x << " " << y << " march " << int(march);
+                }
             }
         EXPECT_GT(met, 100) << int(march);
         EXPECT_GT(compared, 1500) << int(march);
+        EXPECT_GT(smooth, estimated_ ? -1 : 100) << int(march);
     }
 }
 
 INSTANTIATE_TEST_SUITE_P(All, Solids, testing::ValuesIn(kSolids),
                          [](const auto& test) { return std::string(test.param.name); });
+
+/// Marching goes the same steps whatever was met before, so that of equal solids the first is met.
+TEST(EqualSolids, AreMetAtTheFirst) {
+    offscreen();
+    const std::string two = R"({"union": [{"sphere": {"center": [0, 0, 0], "radius": 1}},
+        {"box": {"center": [1, 0, 0], "half_size": [0.5, 0.5, 0.5]}}]})";
+    const Scene scene =
+        sceneFrom(R"({"camera": {"eye": [0, 1, 4], "target": [0, 0, 0]}, "objects": [)" + two + ", " + two + "]}");
+    Settings settings;
+    settings.size = {64, 48};
+    for (const March march : {March::Steps, March::Sphere, March::Cone, March::Relaxed})
+        for (const Accel accel : {Accel::None, Accel::Hierarchy}) {
+            settings.march = march;
+            settings.accel = accel;
+            const FloatImage objects = outputOf(scene, settings, Aov::Object);
+            EXPECT_EQ(std::count(objects.pixels.begin(), objects.pixels.end(), 1.0f), 0) << int(march) << int(accel);
+            EXPECT_GT(std::count(objects.pixels.begin(), objects.pixels.end(), 0.0f), 1000);
+        }
+}
+
+/// What is taken from itself is gone: its surface has nothing behind it.
+TEST(EqualSolids, LeaveNothingOfOneAnother) {
+    offscreen();
+    const Scene scene = sceneFrom(R"({"camera": {"eye": [0, 1, 4], "target": [0, 0, 0]}, "objects": [{"difference": [
+        {"sphere": {"center": [0, 0, 0], "radius": 1}}, {"sphere": {"center": [0, 0, 0], "radius": 1}}]}]})");
+    Settings settings;
+    settings.size = {64, 48};
+    for (const March march : {March::Steps, March::Sphere, March::Cone, March::Relaxed}) {
+        settings.march = march;
+        const FloatImage objects = outputOf(scene, settings, Aov::Object);
+        EXPECT_EQ(std::count(objects.pixels.begin(), objects.pixels.end(), 0.0f), 0) << int(march);
+    }
+}
 
 TEST(Mandelbulb, EstimatesFromBelow) {
     offscreen();
