@@ -83,7 +83,7 @@ for (const name of browserNames)
 
     test('medians lie between their quartiles, and the first row has the ratio 1', () => {
       for (const row of results.tables[0].rows)
-        for (const key of ['frame', 'frame_yards', 'ratio']) {
+        for (const key of ['frame', 'frame_calibrated', 'ratio']) {
           const [low, median, high] = [`${key}_low`, key, `${key}_high`].map((column) => row[at(column)]);
           assert.ok(low > 0 && low <= median && median <= high, `${key}: ${low} ${median} ${high}`);
         }
