@@ -102,7 +102,7 @@ EMSCRIPTEN_KEEPALIVE const char* benchBegin(double clockStep, const char* render
 
 EMSCRIPTEN_KEEPALIVE void benchLeaveOut(int row) { bench->run->leaveOut(std::size_t(row)); }
 EMSCRIPTEN_KEEPALIVE int benchPrepare() { return int(bench->run->prepare(bench->problems)); }
-/// With what benchSeries told of an earlier go at the same plan, in another load of the page.
+/// With what benchSeries told of an earlier browser session with the same plan.
 EMSCRIPTEN_KEEPALIVE const char* benchContinue(const char* series) {
     const std::vector<BenchCost> earlier = readSeries(series);
     if (earlier.size() != bench->plan.entries.size()) return "earlier: these are not the rows that are measured here\n";
@@ -111,9 +111,10 @@ EMSCRIPTEN_KEEPALIVE const char* benchContinue(const char* series) {
 }
 EMSCRIPTEN_KEEPALIVE const char* benchSeries() { return give(seriesText(bench->run->costs())); }
 
-/// One go of several, so that each need not compile anew so often. No round begins later than so many seconds from now.
-EMSCRIPTEN_KEEPALIVE void benchStart(int rounds, int goes, double seconds) {
-    bench->run->begin(rounds, std::max(1, kBenchPasses / goes), monotonicSeconds() + seconds);
+/// One browser session of several, so that each need not compile anew so often. No round begins later than so many
+/// seconds from now.
+EMSCRIPTEN_KEEPALIVE void benchStart(int rounds, int sessions, double seconds) {
+    bench->run->begin(rounds, std::max(1, kBenchPasses / sessions), monotonicSeconds() + seconds);
 }
 EMSCRIPTEN_KEEPALIVE int benchRace() { return int(bench->run->race()); }
 

@@ -10,27 +10,27 @@
 namespace gnomon {
 namespace {
 
-/// A turn and a calibration take at least that long, so that clocks and the start of drawing weigh little on fast GPUs:
-/// also in steps of the clock, where a browser makes them coarse.
-constexpr double kTurnSeconds = 0.04, kCalibrationSeconds = 0.01;
-constexpr double kTurnSteps = 40, kCalibrationSteps = 20;
+/// A sample and a calibration take at least that long, so that clocks and the start of drawing weigh little on fast
+/// GPUs: also in steps of the clock, where a browser makes them coarse.
+constexpr double kSampleSeconds = 0.04, kCalibrationSeconds = 0.01;
+constexpr double kSampleSteps = 40, kCalibrationSteps = 20;
 constexpr int kMostFrames = 500;
 
-/// A long turn's calibrations take that fraction of it, up to so many seconds: a glimpse of the machine says little of
-/// a frame that takes a hundred times as long.
+/// A long sample's calibrations take that fraction of it, up to so many seconds: a glimpse of the machine says little
+/// of a frame that takes a hundred times as long.
 constexpr double kCalibrationFraction = 0.05, kMostCalibrationSeconds = 0.25;
 
 double leastCalibrationSeconds(const BenchMeans& means) {
     return std::max(kCalibrationSeconds, kCalibrationSteps * means.clockStep);
 }
-double leastTurnSeconds(const BenchMeans& means) { return std::max(kTurnSeconds, kTurnSteps * means.clockStep); }
+double leastSampleSeconds(const BenchMeans& means) { return std::max(kSampleSeconds, kSampleSteps * means.clockStep); }
 
 } // namespace
 
 BenchRun::BenchRun(const BenchPlan& plan, const std::vector<BenchScene>& scenes, const BenchMeans& means,
                    Problems& problems)
     : plan_(plan), scenes_(scenes), means_(means), costs_(plan.entries.size()), leftOut_(plan.entries.size()),
-      frames_(plan.entries.size(), 1), turnSeconds_(plan.entries.size()) {
+      frames_(plan.entries.size(), 1), sampleSeconds_(plan.entries.size()) {
     contextRestored(problems);
 }
 
@@ -146,22 +146,22 @@ void BenchRun::begin(int rounds, int passes, double deadline) {
     allPasses_ = passes;
     deadline_ = deadline;
     round_ = -2; // the one that is not measured is -1
-    turn_ = racers_.size();
+    nextRacer_ = racers_.size();
 }
 
 BenchStep BenchRun::race() {
     if (gpuFrames_ > 0) return takeGpuTime();
-    if (turn_ == racers_.size() && !nextRound()) return BenchStep::Finished;
+    if (nextRacer_ == racers_.size() && !nextRound()) return BenchStep::Finished;
     if (!stale_.empty()) {
         compileNext();
         return BenchStep::Working;
     }
-    if (turn_ == 0) rounds_ = earlierRounds_ + round_ + 1;
+    if (nextRacer_ == 0) rounds_ = earlierRounds_ + round_ + 1;
     // Forth in even rounds and back in odd ones, so that what grows during a round favours nobody.
     const bool forth = (earlierRounds_ + round_) % 2 == 0;
-    const std::size_t entry = racers_[forth ? turn_ : racers_.size() - 1 - turn_];
-    ++turn_;
-    if (costs_[entry].drawn) turn(entry, round_ >= 0);
+    const std::size_t entry = racers_[forth ? nextRacer_ : racers_.size() - 1 - nextRacer_];
+    ++nextRacer_;
+    if (costs_[entry].drawn) sample(entry, round_ >= 0);
     return takeGpuTime();
 }
 
@@ -176,15 +176,15 @@ bool BenchRun::nextRound() {
     }
     passes_ += anew || next == 0;
     round_ = next;
-    turn_ = 0;
+    nextRacer_ = 0;
     return true;
 }
 
-void BenchRun::turn(std::size_t entry, bool measured) {
+void BenchRun::sample(std::size_t entry, bool measured) {
     current_ = entry;
     rendererOf(entry).configure(plan_.entries[entry].settings);
     const int frames = frames_[entry];
-    const double calibrationSeconds = std::min(kCalibrationFraction * turnSeconds_[entry], kMostCalibrationSeconds);
+    const double calibrationSeconds = std::min(kCalibrationFraction * sampleSeconds_[entry], kMostCalibrationSeconds);
     const double before = measured ? calibration_->draw(calibrationSeconds) : 0;
     if (frames > 1) draw(entry); // a fast GPU's first frame after another program's takes longer
     gl::finish();
@@ -196,8 +196,8 @@ void BenchRun::turn(std::size_t entry, bool measured) {
     gl::finish();
     const double clock = means_.clock() - clockStart, cpu = cpuSeconds() - cpuStart,
                  wall = monotonicSeconds() - wallStart;
-    turnSeconds_[entry] = wall;
-    const double least = leastTurnSeconds(means_);
+    sampleSeconds_[entry] = wall;
+    const double least = leastSampleSeconds(means_);
     if (!measured || wall < 0.5 * least) // what a single frame takes is for the most part waiting on a fast GPU
         frames_[entry] = int(std::clamp(std::ceil(frames * least / wall), 1.0, double(kMostFrames)));
     if (!measured) return;

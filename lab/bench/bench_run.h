@@ -44,7 +44,7 @@ struct BenchCost {
 /// times: by up to a fifth on llvmpipe (docs/bench.md).
 inline constexpr int kBenchPasses = 3;
 
-/// What came of asking for a step: nothing yet, ask again after a moment; one more entry or turn; all is done.
+/// What came of asking for a step: nothing yet, ask again after a moment; one more entry or sample; all is done.
 enum class BenchStep { Working, Stepped, Finished };
 
 class BenchRun {
@@ -60,9 +60,9 @@ class BenchRun {
     BenchStep prepare(Problems&);
     /// Before begin(): what another run measured of the same plan stands before what this one will.
     void continueFrom(const std::vector<BenchCost>& earlier);
-    /// Rounds in so many passes, each of which compiles anew where the time allows. All take turns, in rounds, after
-    /// one round that is not measured. A turn is one frame, or as many as take a while. No round begins after
-    /// `deadline` on the monotonic clock, but one is drawn in any case. Then a step of race() for each turn.
+    /// Rounds in so many passes, each of which compiles anew where the time allows. A round takes one sample of each
+    /// entry: one frame, or as many as take a while. The first round is not measured. None begins after `deadline` on
+    /// the monotonic clock, but one is drawn in any case. Then a step of race() for each sample.
     void begin(int rounds, int passes, double deadline);
     BenchStep race();
 
@@ -79,7 +79,7 @@ class BenchRun {
 
     /// The GL objects are gone with a lost context, and the entry of the last step with them: it may be why.
     void contextLost();
-    /// In the new context. The programs are compiled again before the next turn.
+    /// In the new context. The programs are compiled again before the next sample.
     void contextRestored(Problems&);
 
   private:
@@ -94,7 +94,7 @@ class BenchRun {
     BenchStep prepareOne(std::size_t entry, Problems&);
     void compileNext();
     bool nextRound();
-    void turn(std::size_t entry, bool measured);
+    void sample(std::size_t entry, bool measured);
     BenchStep takeGpuTime();
 
     const BenchPlan& plan_;
@@ -105,8 +105,8 @@ class BenchRun {
     Renderers renderers_;
     std::vector<BenchCost> costs_;
     std::vector<bool> leftOut_;
-    std::vector<int> frames_;         ///< of a turn
-    std::vector<double> turnSeconds_; ///< of the last one
+    std::vector<int> frames_;           ///< of a sample
+    std::vector<double> sampleSeconds_; ///< of the last one
 
     std::size_t current_ = 0;
     bool begun_ = false; ///< the current entry is being compiled
@@ -119,8 +119,8 @@ class BenchRun {
     int allRounds_ = 0, allPasses_ = 0, round_ = 0, passes_ = 0;
     int earlierRounds_ = 0, rounds_ = 0; ///< rounds_ with the earlier ones
     double deadline_ = 0;
-    std::size_t turn_ = 0;
-    int gpuFrames_ = 0; ///< the GPU's time of so many is awaited
+    std::size_t nextRacer_ = 0; ///< in the order of the round
+    int gpuFrames_ = 0;         ///< the GPU's time of so many is awaited
 };
 
 } // namespace gnomon

@@ -1,5 +1,5 @@
-/// What a BenchRun measured as text that another one continues from: a browser measures in several goes, each of which
-/// begins it anew.
+/// What a BenchRun measured as text that another one continues from: a browser measures in several sessions, each of
+/// which begins it anew.
 #pragma once
 
 #include "lab/bench/bench_run.h"

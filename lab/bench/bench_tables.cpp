@@ -22,7 +22,7 @@ constexpr Measure kMeasures[] = {
     {"fps", "FPS", "1/s", "One over the median frame", Kind::None, Better::Higher},
     {"frame", "frame", "ms", "Wall clock, from asking for a frame to its last pixel: median of the rounds", Kind::Time,
      Better::Lower, true},
-    {"frame_yards", "frame", "calibration = 1",
+    {"frame_calibrated", "frame", "calibration = 1",
      "The frame over the calibration workload right before and after it: median of the rounds. By CPU time on a "
      "software rasteriser. What slows the machine slows both; runs are compared by it",
      Kind::None, Better::Untold, true},
@@ -128,8 +128,8 @@ Table benchTable(const BenchPlan& plan, const std::vector<ContextCosts>& context
 }
 
 Table briefTable(const Table& all) {
-    constexpr std::array<std::string_view, 8> kDropped{"context", "frame_yards", "cpu",    "gpu",
-                                                       "first",   "source",      "rounds", "passes"};
+    constexpr std::array<std::string_view, 8> kDropped{"context", "frame_calibrated", "cpu",    "gpu",
+                                                       "first",   "source",           "rounds", "passes"};
     Table table{all.name, all.title, {}, std::vector<std::vector<Cell>>(all.rows.size())};
     for (std::size_t i = 0; i < all.columns.size(); ++i) {
         const std::string& key = all.columns[i].key;

@@ -12,17 +12,18 @@ double ulp(double x) { return std::ldexp(1.0, std::ilogb(x) - 23); }
 bool finite(glm::vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 /// The surface point is off the line, or elsewhere along it.
-bool strays(const Body<double>& body, const Line<double>& line, double met, const Vec3<double>& p, double slack) {
+bool strays(const ExactShape<double>& shape, const Line<double>& line, double met, const Vec3<double>& p,
+            double slack) {
     const double s = dot(p - line.p, line.d) / dot(line.d, line.d);
-    return length(p - line.at(s)) > slack || leavesSurface(body, line, met, s, slack);
+    return length(p - line.at(s)) > slack || leavesSurface(shape, line, met, s, slack);
 }
 
 } // namespace
 
-bool leavesSurface(const Body<double>& body, const Line<double>& line, double met, double s, double slack) {
+bool leavesSurface(const ExactShape<double>& shape, const Line<double>& line, double met, double s, double slack) {
     const int steps = 32;
     for (int i = 0; i <= steps; ++i)
-        if (!(std::abs(body.distance(line.at(met + (s - met) * i / steps))) <= slack)) return true;
+        if (!(std::abs(shape.distance(line.at(met + (s - met) * i / steps))) <= slack)) return true;
     return false;
 }
 
@@ -46,16 +47,16 @@ Bounds boundsOf(ShapeKind kind) {
 
 namespace {
 
-Scale scaleOf(const Body<double>& body, const Line<double>& line, const ExactHit<double>& exact,
+Scale scaleOf(const ExactShape<double>& shape, const Line<double>& line, const ExactHit<double>& exact,
               const Vec3<double>& p) {
-    const double size = body.size(), away = std::abs(line.start) + length(line.p) + size;
-    const bool sizeless = body.kind() == ShapeKind::Plane;
+    const double size = shape.size(), away = std::abs(line.start) + length(line.p) + size;
+    const bool sizeless = shape.kind() == ShapeKind::Plane;
     Scale scale;
-    scale.bend = body.bend(exact.point);
+    scale.bend = shape.bend(exact.point);
     scale.band = sizeless ? away : size;
     scale.distance = std::max({double(exact.t), 3 * size, sizeless ? away : 0});
-    if (body.kind() == ShapeKind::Triangle) scale.distance *= size / scale.bend;
-    const Vec3<long double> middle = body.middle();
+    if (shape.kind() == ShapeKind::Triangle) scale.distance *= size / scale.bend;
+    const Vec3<long double> middle = shape.middle();
     const double written = double(std::max({std::abs(middle.x), std::abs(middle.y), std::abs(middle.z)}));
     scale.rounding = 0x1p-23 * (written + size + (sizeless ? length(p) : 0));
     return scale;
@@ -63,13 +64,13 @@ Scale scaleOf(const Body<double>& body, const Line<double>& line, const ExactHit
 
 } // namespace
 
-Verdict compareHit(const Body<double>& body, const BatchRay& ray, const BatchHit& answer) {
-    const Line<double> line = lineOf(body, ray.origin, ray.direction);
-    const ExactHit<double> exact = exactHit(body, line);
-    const Vec3<double> p(Vec3<long double>(answer.point) - body.middle());
-    const Scale scale = scaleOf(body, line, exact, p);
+Verdict compareHit(const ExactShape<double>& shape, const BatchRay& ray, const BatchHit& answer) {
+    const Line<double> line = lineOf(shape, ray.origin, ray.direction);
+    const ExactHit<double> exact = exactHit(shape, line);
+    const Vec3<double> p(Vec3<long double>(answer.point) - shape.middle());
+    const Scale scale = scaleOf(shape, line, exact, p);
     const bool got = answer.object >= 0;
-    const Bounds bounds = boundsOf(body.kind());
+    const Bounds bounds = boundsOf(shape.kind());
     const double band = bounds.band * scale.band;
     Verdict verdict;
     verdict.decided = exact.tangency > band;
@@ -81,19 +82,19 @@ Verdict compareHit(const Body<double>& body, const BatchRay& ray, const BatchHit
     verdict.elsewhere = got && (answer.object != 0 || !numbers);
     if (!verdict.hit || verdict.elsewhere) return verdict;
     const double s = line.local(answer.t), slack = 4 * ulp(scale.distance);
-    const bool otherSheet = body.closed() && leavesSurface(body, line, exact.s, s, slack);
+    const bool otherSheet = shape.closed() && leavesSurface(shape, line, exact.s, s, slack);
     // The ray is known to the band across itself, the surface to some roundings; and a point that is the nearest of the
     // surface to o + t d is where t, rounded, has it.
     double known = band + 4 * scale.rounding + bounds.ray * ulp(scale.distance);
     // A triangle's is of weights, quotients of areas as the eye sees them.
-    if (body.kind() == ShapeKind::Triangle) known /= std::abs(dot(line.d, body.axis()));
-    const bool otherPoint = strays(body, line, exact.s, p, known);
+    if (shape.kind() == ShapeKind::Triangle) known /= std::abs(dot(line.d, shape.axis()));
+    const bool otherPoint = strays(shape, line, exact.s, p, known);
     verdict.elsewhere = verdict.decided && (otherSheet || otherPoint);
     verdict.t = std::abs(double(Wide<double>(answer.t) - exact.t)) / ulp(scale.distance);
-    verdict.ray = std::abs(body.distance(line.at(s))) / ulp(scale.distance);
-    verdict.point = std::abs(body.distance(p)) / scale.rounding;
-    if (!body.closed() || body.toEdge(p) > 1e-5 * body.size() + 4 * scale.rounding)
-        verdict.normal = length(Vec3<double>(answer.normal) - body.normal(p)) * scale.bend / scale.rounding;
+    verdict.ray = std::abs(shape.distance(line.at(s))) / ulp(scale.distance);
+    verdict.point = std::abs(shape.distance(p)) / scale.rounding;
+    if (!shape.closed() || shape.toEdge(p) > 1e-5 * shape.size() + 4 * scale.rounding)
+        verdict.normal = length(Vec3<double>(answer.normal) - shape.normal(p)) * scale.bend / scale.rounding;
     return verdict;
 }
 
@@ -112,14 +113,14 @@ bool within(const Tally& tally, const Bounds& bounds) {
 }
 
 Tally compareHits(const Shape& shape, const std::vector<BatchRay>& rays, const std::vector<BatchHit>& answers) {
-    const Body<double> body(shape);
+    const ExactShape<double> exactShape(shape);
     std::vector<Verdict> verdicts(rays.size());
     const std::size_t workers = std::max(1u, std::thread::hardware_concurrency());
     std::vector<std::thread> threads;
     for (std::size_t worker = 0; worker < workers; ++worker)
         threads.emplace_back([&, worker] {
             for (std::size_t i = worker; i < rays.size(); i += workers)
-                verdicts[i] = compareHit(body, rays[i], answers[i]);
+                verdicts[i] = compareHit(exactShape, rays[i], answers[i]);
         });
     for (std::thread& thread : threads) thread.join();
     Tally tally;

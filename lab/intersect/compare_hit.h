@@ -18,14 +18,14 @@ struct Bounds {
 };
 Bounds boundsOf(ShapeKind);
 
-/// What float32 can be held to for one ray. A rounding is 2^-23 of the body's size and of the coordinates that its
+/// What float32 can be held to for one ray. A rounding is 2^-23 of the shape's size and of the coordinates that its
 /// points are written in. A plane has no size and scales with the distance; the plane of a sliver of a triangle turns
 /// by a rounding over its height.
 struct Scale {
     double band;     ///< the size
     double distance; ///< whose ulp counts: of the hit, of three sizes at least
     double rounding;
-    double bend; ///< smallest radius of curvature; of a flat body its smallest height
+    double bend; ///< smallest radius of curvature; of a flat shape its smallest height
 };
 
 /// One answer, compared. Errors are 0 where either side misses.
@@ -44,10 +44,10 @@ struct Verdict {
 
     bool wrong() const { return missed || invented || elsewhere; }
 };
-Verdict compareHit(const Body<double>&, const BatchRay&, const BatchHit&);
+Verdict compareHit(const ExactShape<double>&, const BatchRay&, const BatchHit&);
 
 /// Somewhere on the way along the line from where it meets the surface to s it is farther than `slack` off the surface.
-bool leavesSurface(const Body<double>&, const Line<double>&, double met, double s, double slack);
+bool leavesSurface(const ExactShape<double>&, const Line<double>&, double met, double s, double slack);
 
 /// Median, 99.9 % and largest of some values.
 struct Spread {

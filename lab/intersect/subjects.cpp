@@ -88,10 +88,10 @@ std::string_view nameOf(RayClass kind) {
 }
 
 bool fits(RayClass kind, const Subject& subject) {
-    const bool closed = Body<double>(subject.body).closed();
-    if (kind == RayClass::Hole) return subject.body.kind == ShapeKind::Torus;
+    const bool closed = ExactShape<double>(subject.geometry).closed();
+    if (kind == RayClass::Hole) return subject.geometry.kind == ShapeKind::Torus;
     if (kind == RayClass::Inside) return closed;
-    if (kind == RayClass::Tangent) return subject.body.kind != ShapeKind::Plane; // it has no silhouette
+    if (kind == RayClass::Tangent) return subject.geometry.kind != ShapeKind::Plane; // it has no silhouette
     return true;
 }
 
@@ -109,20 +109,20 @@ double leastDecided(RayClass kind, ShapeKind shape, double distance) {
 }
 
 Shape placed(const Subject& subject, RayClass kind, double distance) {
-    if (kind == RayClass::Axis) return subject.body;
+    if (kind == RayClass::Axis) return subject.geometry;
     const glm::dvec3 away =
         kind == RayClass::Inside ? distance * glm::dvec3(0.6, -0.48, 0.64) : glm::dvec3(0.3, -0.7, 1.1);
-    return inFloat(translated(turned(subject.body), away));
+    return inFloat(translated(turned(subject.geometry), away));
 }
 
 RayStream::RayStream(const Shape& placed, RayClass kind, double distance, std::uint64_t seed)
-    : body_(placed), kind_(kind), far_(distance), random_(seed) {
+    : shape_(placed), kind_(kind), far_(distance), random_(seed) {
     measures_ = {0};
     for (const double value : placed.values)
         if (value != 0) measures_.insert(measures_.end(), {value, -value});
     if (placed.kind == ShapeKind::Torus)
         for (const double side : {-1.0, 1.0})
-            for (const double tube : {-1.0, 1.0}) measures_.push_back(side * (body_.radius() + tube * body_.minor()));
+            for (const double tube : {-1.0, 1.0}) measures_.push_back(side * (shape_.radius() + tube * shape_.minor()));
 }
 
 BatchRay RayStream::next() {
@@ -147,17 +147,17 @@ Vec RayStream::acrossTo(const Vec& normal) {
     return unit(any - dot(any, normal) * normal);
 }
 
-/// From points relative to the body's middle.
+/// From points relative to the shape's middle.
 BatchRay RayStream::from(const Vec& origin, const Vec& along) const {
     BatchRay ray;
-    ray.origin = toFloat(body_.middle() + Vec3<long double>(origin));
+    ray.origin = toFloat(shape_.middle() + Vec3<long double>(origin));
     ray.direction = toFloat(unit(along));
     return ray;
 }
 
 BatchRay RayStream::towards(const Vec& origin, const Vec& target) const {
     BatchRay ray = from(origin, target - origin);
-    const Vec start(Vec3<long double>(ray.origin) - body_.middle()); // as rounded
+    const Vec start(Vec3<long double>(ray.origin) - shape_.middle()); // as rounded
     ray.direction = toFloat(unit(target - start));
     return ray;
 }
@@ -165,7 +165,7 @@ BatchRay RayStream::towards(const Vec& origin, const Vec& target) const {
 /// A far ray's six numbers have steps that are coarser than what it should pass by a surface at. Of many rays a few
 /// steps beside it, the one that passes the wanted point closest, across the surface.
 BatchRay RayStream::nudged(const BatchRay& ray, const Spot& wanted) {
-    const Vec3<long double> target = body_.middle() + Vec3<long double>(wanted.point), normal(wanted.normal);
+    const Vec3<long double> target = shape_.middle() + Vec3<long double>(wanted.point), normal(wanted.normal);
     BatchRay best = ray;
     long double least = 1e30L;
     for (int i = 0; i < 200; ++i) {
@@ -186,52 +186,52 @@ BatchRay RayStream::nudged(const BatchRay& ray, const Spot& wanted) {
 }
 
 RayStream::Spot RayStream::surface() {
-    const double size = body_.size();
-    if (body_.kind() == ShapeKind::Plane) return {number(0, size) * acrossTo(body_.axis()), body_.axis()};
-    if (body_.kind() == ShapeKind::Disc) {
-        const Vec outward = acrossTo(body_.axis());
+    const double size = shape_.size();
+    if (shape_.kind() == ShapeKind::Plane) return {number(0, size) * acrossTo(shape_.axis()), shape_.axis()};
+    if (shape_.kind() == ShapeKind::Disc) {
+        const Vec outward = acrossTo(shape_.axis());
         return {size * outward, outward};
     }
-    if (body_.kind() == ShapeKind::Triangle) {
+    if (shape_.kind() == ShapeKind::Triangle) {
         const int i = int(number(0, 3));
-        const Vec a = body_.vertex(i), b = body_.vertex((i + 1) % 3);
-        return {a + number(0, 1) * (b - a), unit(cross(b - a, body_.axis()))};
+        const Vec a = shape_.vertex(i), b = shape_.vertex((i + 1) % 3);
+        return {a + number(0, 1) * (b - a), unit(cross(b - a, shape_.axis()))};
     }
     // The distance leads any point onto the surface, and to the normals of all that lies about an edge.
     Vec p = size * std::cbrt(number(0, 1)) * direction();
-    const Vec normal = body_.normal(p);
-    for (int i = 0; i < 3; ++i) p = p - body_.distance(p) * body_.normal(p);
-    return {p, body_.distance(p + 1e-6 * size * normal) > 0 ? normal : body_.normal(p)};
+    const Vec normal = shape_.normal(p);
+    for (int i = 0; i < 3; ++i) p = p - shape_.distance(p) * shape_.normal(p);
+    return {p, shape_.distance(p + 1e-6 * size * normal) > 0 ? normal : shape_.normal(p)};
 }
 
 BatchRay RayStream::uniform() {
-    const Vec origin = far_ * body_.size() * direction();
-    return towards(origin, body_.size() * std::cbrt(number(0, 1)) * direction());
+    const Vec origin = far_ * shape_.size() * direction();
+    return towards(origin, shape_.size() * std::cbrt(number(0, 1)) * direction());
 }
 
 BatchRay RayStream::towardsSurface() {
     const Vec spot = surface().point;
-    return towards(far_ * body_.size() * direction(), body_.closed() ? spot : number(0, 1) * spot);
+    return towards(far_ * shape_.size() * direction(), shape_.closed() ? spot : number(0, 1) * spot);
 }
 
 BatchRay RayStream::grazing() {
     const double offset = std::pow(10.0, number(-8, -2)) * (number(0, 1) < 0.5 ? -1 : 1);
     const Spot spot = surface();
-    if (body_.kind() == ShapeKind::Plane) // nearly along it
+    if (shape_.kind() == ShapeKind::Plane) // nearly along it
         return from(far_ * unit(acrossTo(spot.normal) + offset * spot.normal),
                     acrossTo(spot.normal) - offset * spot.normal);
-    const Vec target = spot.point + offset * body_.size() * spot.normal;
-    const Vec along = body_.closed() ? acrossTo(spot.normal) : direction();
-    return nudged(towards(target - far_ * body_.size() * along, target), {target, spot.normal});
+    const Vec target = spot.point + offset * shape_.size() * spot.normal;
+    const Vec along = shape_.closed() ? acrossTo(spot.normal) : direction();
+    return nudged(towards(target - far_ * shape_.size() * along, target), {target, spot.normal});
 }
 
 bool RayStream::meets(const BatchRay& ray) const {
-    return exactHit(body_, lineOf(body_, ray.origin, ray.direction)).hit;
+    return exactHit(shape_, lineOf(shape_, ray.origin, ray.direction)).hit;
 }
 
 /// Along the view axis from far away through a point, slanted by so much over the whole way.
 BatchRay RayStream::alongAxis(const Vec& through, const Vec& slant) const {
-    const double way = far_ * body_.size();
+    const double way = far_ * shape_.size();
     Vec along = (1 / way) * lateral(slant, view_);
     along[view_] = -facing_;
     BatchRay ray = from(through - way * along, along);
@@ -239,7 +239,7 @@ BatchRay RayStream::alongAxis(const Vec& through, const Vec& slant) const {
     return ray;
 }
 
-/// Bisects between a ray that meets the body and one that passes it by.
+/// Bisects between a ray that meets the shape and one that passes it by.
 void RayStream::findSilhouette() {
     for (;;) {
         view_ = int(number(0, 3));
@@ -247,7 +247,7 @@ void RayStream::findSilhouette() {
         Vec low = lateral(0.999 * surface().point, view_);
         outward_ = unit(lateral(direction(), view_));
         if (!meets(alongAxis(low, {}))) continue;
-        Vec high = low + 2.5 * body_.size() * outward_;
+        Vec high = low + 2.5 * shape_.size() * outward_;
         for (int i = 0; i < 40; ++i) {
             const Vec middle = 0.5 * (low + high);
             (meets(alongAxis(middle, {})) ? low : high) = middle;
@@ -261,28 +261,28 @@ void RayStream::findSilhouette() {
 BatchRay RayStream::tangent() {
     if (left_ == 0) findSilhouette();
     --left_;
-    const double offset = std::exp2(number(-27, -16)) * (number(0, 1) < 0.5 ? -1 : 1) * body_.size();
+    const double offset = std::exp2(number(-27, -16)) * (number(0, 1) < 0.5 ? -1 : 1) * shape_.size();
     const Vec slant = 1e-4 * std::min(1.0, far_ * 1e-4) * direction();
     return alongAxis(silhouette_ + offset * outward_, slant);
 }
 
 BatchRay RayStream::hole() {
-    const Vec target = 1.02 * (body_.radius() - body_.minor()) * std::sqrt(number(0, 1)) * acrossTo(body_.axis());
-    return towards(far_ * body_.size() * direction(), target);
+    const Vec target = 1.02 * (shape_.radius() - shape_.minor()) * std::sqrt(number(0, 1)) * acrossTo(shape_.axis());
+    return towards(far_ * shape_.size() * direction(), target);
 }
 
 BatchRay RayStream::inside() {
     for (;;) {
         const Spot spot = surface();
-        const Vec p = spot.point - std::exp2(number(-12, 0)) * body_.size() * spot.normal;
-        if (body_.distance(p) < -1e-6 * body_.size()) return from(p, direction());
+        const Vec p = spot.point - std::exp2(number(-12, 0)) * shape_.size() * spot.normal;
+        if (shape_.distance(p) < -1e-6 * shape_.size()) return from(p, direction());
     }
 }
 
 BatchRay RayStream::axis() {
     const auto coordinate = [&] {
         const double any = number(0, 1);
-        return any < 0.7 ? measures_[std::size_t(number(0, double(measures_.size())))] : number(-1, 1) * body_.size();
+        return any < 0.7 ? measures_[std::size_t(number(0, double(measures_.size())))] : number(-1, 1) * shape_.size();
     };
     const int across = int(number(0, 3)), along = (across + 1 + int(number(0, 2))) % 3;
     Vec way;
@@ -293,7 +293,7 @@ BatchRay RayStream::axis() {
         way[3 - across - along] = std::sin(turn);
     }
     const Vec through{coordinate(), coordinate(), coordinate()};
-    BatchRay ray = from(through - far_ * body_.size() * way, way);
+    BatchRay ray = from(through - far_ * shape_.size() * way, way);
     return ray;
 }
 

@@ -1,4 +1,4 @@
-/// The bodies and the rays that intersectors are tried with.
+/// The shapes and the rays that intersectors are tried with.
 #pragma once
 
 #include "lab/batch/ray_batch.h"
@@ -18,7 +18,7 @@ namespace gnomon::oracle {
 /// A shape of about unit size. Those about an axis have it along z, in the middle of the world.
 struct Subject {
     std::string_view shape, proportion; ///< proportion: thin, fat, or empty where there is but one
-    Shape body;
+    Shape geometry;
 
     std::string name() const { return std::string(shape) + std::string(proportion); }
     std::string title() const {
@@ -33,12 +33,12 @@ Scene sceneOf(const std::vector<Shape>&);
 
 enum class RayClass {
     Uniform, ///< from `distance` away towards the bounding sphere
-    Grazing, ///< tangent to the surface, or past the rim of a flat body, but for 1e-8 … 1e-2 of the size
+    Grazing, ///< tangent to the surface, or past the rim of a flat shape, but for 1e-8 … 1e-2 of the size
     Tangent, ///< along a world axis but for a tiny slant, 2^-27 … 2^-16 of the size from a silhouette: as near as
              ///< float32 goes
     Hole,    ///< a torus' hole: through it, or onto its inner wall
-    Inside,  ///< from inside; the body as a whole is `distance` away from the world's origin
-    Axis,    ///< coordinates and direction components that are 0 or the body's own measures
+    Inside,  ///< from inside; the shape as a whole is `distance` away from the world's origin
+    Axis,    ///< coordinates and direction components that are 0 or the shape's own measures
 };
 inline constexpr std::array<RayClass, 6> kRayClasses{RayClass::Uniform, RayClass::Grazing, RayClass::Tangent,
                                                      RayClass::Hole,    RayClass::Inside,  RayClass::Axis};
@@ -51,12 +51,12 @@ double leastDecided(RayClass, ShapeKind, double distance);
 /// The subject where the class wants it: turned and moved off the origin, or upright in it, or far away.
 Shape placed(const Subject&, RayClass, double distance);
 
-/// An endless, reproducible stream of rays about one placed shape. `distance` counts sizes of the body.
+/// An endless, reproducible stream of rays about one placed shape. `distance` counts sizes of the shape.
 class RayStream {
   public:
     RayStream(const Shape& placed, RayClass, double distance, std::uint64_t seed);
     BatchRay next();
-    /// From `distance` away towards a point of the surface, so that thin bodies are met, too.
+    /// From `distance` away towards a point of the surface, so that thin shapes are met, too.
     BatchRay towardsSurface();
 
     /// In [low, high).
@@ -65,7 +65,7 @@ class RayStream {
     struct Spot {
         Vec3<double> point, normal;
     };
-    /// Somewhere on the surface; on the rim of a flat body.
+    /// Somewhere on the surface; on the rim of a flat shape.
     Spot surface();
 
   private:
@@ -83,7 +83,7 @@ class RayStream {
     BatchRay alongAxis(const Vec3<double>& through, const Vec3<double>& slant) const;
     void findSilhouette();
 
-    Body<double> body_;
+    ExactShape<double> shape_;
     std::vector<double> measures_; ///< numbers of the shape, as coordinates for Axis
     RayClass kind_;
     double far_;

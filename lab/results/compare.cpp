@@ -100,7 +100,7 @@ std::vector<Measured> measuredIn(const Table& before, const Table& after) {
         const auto time = timedTwice(before, after, column.key);
         if (!time) continue;
         (column.kind == Kind::Ratio ? ratios : times).push_back({column, *time, *time});
-        if (const auto steady = timedTwice(before, after, column.key + "_yards"))
+        if (const auto steady = timedTwice(before, after, column.key + "_calibrated"))
             calibrated.push_back({column, *time, *steady});
     }
     std::vector<Measured> all = calibrated.empty() ? times : calibrated;

@@ -6,7 +6,7 @@
 ///              rows of a column hold together with 95 %. A row is faster or slower where its interval does not hold 1,
 ///              which a column of one program twice has in one of twenty at most, and the ratio is farther from 1 than
 ///              a tolerance: what lasts for a run is in none of its spreads (docs/bench.md). Where a column
-///              KEY_yards has a time over that of the calibration workload, the ratio is of these, from which the
+///              KEY_calibrated has a time over that of the calibration workload, the ratio is of these, from which the
 ///              machine's other work cancels, and times without are passed over.
 /// Error        better or worse where its size changed by more than kErrorTolerance: there is no noise, but compilers
 ///              round in other orders.

@@ -32,6 +32,8 @@ Present presentOf(const Table& table, const std::string& key) {
     const bool intersect = table.name == "summary" || table.name == "intersect"; // of `gnomon lab intersect`
     if (intersect && key == "body") return {"shape", "shape", {}};
     if (intersect && key.starts_with("naive_")) return {"textbook_" + key.substr(6), key, {}};
+    constexpr std::string_view kYards = "frame_yards"; // and its quartiles, of `gnomon bench`
+    if (key.starts_with(kYards)) return {"frame_calibrated" + key.substr(kYards.size()), key, {}};
     const SettingRow* setting = table.name == "bench" ? findSetting(key) : nullptr;
     const auto* choice = setting ? std::get_if<ChoiceType>(&setting->type) : nullptr;
     if (choice) return {std::string(setting->key), std::string(setting->key), choice->renamed};

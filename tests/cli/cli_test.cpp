@@ -143,7 +143,7 @@ TEST_F(Cli, BenchMeasuresEveryCombinationAndWritesItsNumbers) {
     EXPECT_EQ(results["environment"]["rounds"], "osmesa 3 of 3, egl 3 of 3");
     const auto& table = results["tables"][0];
     EXPECT_EQ(table["rows"].size(), 8U) << "two contexts, depths and kinds of shadows";
-    for (const char* key : {"fps", "frame", "frame_low", "frame_high", "frame_yards", "cpu", "ratio", "compile",
+    for (const char* key : {"fps", "frame", "frame_low", "frame_high", "frame_calibrated", "cpu", "ratio", "compile",
                             "first", "source", "rounds"})
         EXPECT_EQ(emptyIn(table, key), 0) << key;
     for (const auto& column : table["columns"]) EXPECT_NE(column["key"], "gpu") << "llvmpipe has no GPU to time";

@@ -30,7 +30,7 @@ using namespace test;
 using namespace oracle;
 using Real = long double;
 using Point = Vec3<Real>;
-using Exact = std::function<Real(const Point&)>; // of a point relative to the body's middle
+using Exact = std::function<Real(const Point&)>; // of a point relative to the shape's middle
 
 constexpr Real kRounding = 0x1p-23L;
 constexpr Real kLength = 3; ///< roundings of a gradient's length
@@ -70,13 +70,13 @@ constexpr const char* kPlaceNames[] = {"around", "near", "far", "axis", "edge"};
 class Points {
   public:
     explicit Points(const Shape& placed)
-        : body_(placed), stream_(placed, RayClass::Uniform, 3, 21), axis_(body_.axis()) {
+        : shape_(placed), stream_(placed, RayClass::Uniform, 3, 21), axis_(shape_.axis()) {
         if (length(axis_) == 0) axis_ = {0, 0, 1};
         std::set<double> measures{0};
         for (const double value : placed.values) measures.insert({value, -value});
         if (placed.kind == ShapeKind::Torus)
             for (const double side : {-1.0, 1.0})
-                for (const double tube : {-1.0, 1.0}) measures.insert(side * (body_.radius() + tube * body_.minor()));
+                for (const double tube : {-1.0, 1.0}) measures.insert(side * (shape_.radius() + tube * shape_.minor()));
         measures_.assign(measures.begin(), measures.end());
     }
 
@@ -85,32 +85,32 @@ class Points {
         if (near_)
             last_ = anywhere(place);
         else if (place != Place::Edge)
-            last_ = last_ + std::pow(10.0, stream_.number(-7, 0)) * body_.size() * stream_.direction();
+            last_ = last_ + std::pow(10.0, stream_.number(-7, 0)) * shape_.size() * stream_.direction();
         const Vec3<double> viewpoint = (stream_.number(0, 1) < 0.5 ? -2.0 : 2.0) * axis_ + 1.5 * stream_.direction();
         return {inWorld(last_), inWorld(viewpoint)};
     }
 
   private:
-    glm::vec3 inWorld(const Vec3<double>& p) const { return toFloat(body_.middle() + Point(p)); }
+    glm::vec3 inWorld(const Vec3<double>& p) const { return toFloat(shape_.middle() + Point(p)); }
     Vec3<double> anywhere(Place place) {
-        const double size = body_.size();
+        const double size = shape_.size();
         const auto some = [&](double most) { return stream_.number(-most, most) * size; };
         switch (place) {
         case Place::Around: return {some(4), some(4), some(4)};
         case Place::Near: {
-            const Vec3<double> spot = stream_.surface().point; // of a flat body on its rim
-            return (body_.closed() ? 1 : stream_.number(0, 1)) * spot + some(1e-3) * stream_.direction();
+            const Vec3<double> spot = stream_.surface().point; // of a flat shape on its rim
+            return (shape_.closed() ? 1 : stream_.number(0, 1)) * spot + some(1e-3) * stream_.direction();
         }
         case Place::Far: return 1000 * size * stream_.direction();
         case Place::Axis: return some(3) * axis_;
-        case Place::Edge: break; // of an upright body: its centre, edges and vertices, and much between them
+        case Place::Edge: break; // of an upright shape: its centre, edges and vertices, and much between them
         }
         const auto measure = [&] { return measures_[std::size_t(stream_.number(0, double(measures_.size())))]; };
-        const Vec3<double> held(-body_.middle());
+        const Vec3<double> held(-shape_.middle());
         return held + Vec3<double>(measure(), measure(), measure());
     }
 
-    Body<double> body_;
+    ExactShape<double> shape_;
     RayStream stream_;
     Vec3<double> axis_, last_;
     std::vector<double> measures_;
@@ -188,25 +188,27 @@ struct Errors {
     }
 };
 
-float unsignedOfPlane(const Body<Real>& body, float distance) {
-    return body.kind() == ShapeKind::Plane ? std::abs(distance) : distance;
+float unsignedOfPlane(const ExactShape<Real>& shape, float distance) {
+    return shape.kind() == ShapeKind::Plane ? std::abs(distance) : distance;
 }
 
 Errors errorsOf(const Shape& shape, const std::vector<BatchPoint>& points, const std::vector<BatchDistance>& answers) {
-    const Body<Real> body(shape);
-    const auto relative = [&](glm::vec3 p) { return Point(p) - body.middle(); };
-    const Real stiff = body.kind() == ShapeKind::Triangle ? body.size() / body.bend({}) : 0;
+    const ExactShape<Real> exactShape(shape);
+    const auto relative = [&](glm::vec3 p) { return Point(p) - exactShape.middle(); };
+    const Real stiff = exactShape.kind() == ShapeKind::Triangle ? exactShape.size() / exactShape.bend({}) : 0;
     Errors errors;
     Real scaleBefore = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const Point p = relative(points[i].p);
-        const bool behind = body.kind() == ShapeKind::Plane && body.distance(relative(points[i].from)) < 0;
-        const Exact exact = [&](const Point& q) { return behind ? -body.distance(q) : body.boundedDistance(q); };
-        const Real scale = length(p) + body.size();
+        const bool behind = exactShape.kind() == ShapeKind::Plane && exactShape.distance(relative(points[i].from)) < 0;
+        const Exact exact = [&](const Point& q) {
+            return behind ? -exactShape.distance(q) : exactShape.boundedDistance(q);
+        };
+        const Real scale = length(p) + exactShape.size();
         errors.compare(exact, p, scale, glm::vec4(answers[i].gradient, answers[i].distance), stiff);
         if (i > 0) // of a plane without the sign, which the viewpoints choose
-            errors.compare(p, relative(points[i - 1].p), unsignedOfPlane(body, answers[i].distance),
-                           unsignedOfPlane(body, answers[i - 1].distance), scale + scaleBefore);
+            errors.compare(p, relative(points[i - 1].p), unsignedOfPlane(exactShape, answers[i].distance),
+                           unsignedOfPlane(exactShape, answers[i - 1].distance), scale + scaleBefore);
         scaleBefore = scale;
     }
     return errors;
@@ -246,7 +248,7 @@ TEST_P(Distance, IsTheOraclesWithItsGradient) {
     const Errors errors = measured(GetParam(), pointsAShape(), {}, true);
     errors.print(GetParam().name());
     EXPECT_GE(errors.points, pointsAShape());
-    const Bounds bounds = boundsOf(GetParam().body.kind);
+    const Bounds bounds = boundsOf(GetParam().geometry.kind);
     EXPECT_LE(errors.distance, bounds.distance);
     EXPECT_LE(errors.gradient, bounds.gradient);
     EXPECT_LE(errors.unit, kLength);
@@ -291,7 +293,7 @@ TEST_P(DistanceMutant, TurnsTheJudgeRed) {
     ASSERT_NE(at, std::string::npos) << mutant.file << " has no `" << mutant.line << "`";
     text.replace(at, std::string_view(mutant.line).size(), mutant.becomes);
     const ShaderFile overrides[] = {{mutant.file, text}};
-    const Bounds bounds = boundsOf(subject->body.kind);
+    const Bounds bounds = boundsOf(subject->geometry.kind);
     EXPECT_TRUE(measured(*subject, 9000, {}, false).within(bounds));
     EXPECT_FALSE(measured(*subject, 9000, overrides, false).within(bounds));
 }
@@ -402,7 +404,7 @@ TEST(SceneDistance, IsThatOfTheNearestObjectOfEveryKind) {
     const PreparedScenePtr prepared = prepare(scene);
     for (const KindLayout& kind : prepared->layout) order.insert(order.end(), kind.objects.begin(), kind.objects.end());
     ASSERT_EQ(order.size(), shapes.size());
-    const std::vector<SceneBody> bodies = bodiesOf(scene, 0);
+    const std::vector<SceneShape> exactShapes = exactShapesOf(scene, 0);
     Problems problems;
     DistanceBatch batch(scene, problems);
     ASSERT_TRUE(batch.valid()) << toString(problems);
@@ -419,10 +421,11 @@ TEST(SceneDistance, IsThatOfTheNearestObjectOfEveryKind) {
     for (std::size_t i = 0; i < points.size(); ++i) {
         Real nearest = 1e30L, second = 1e30L, caster = 1e30L;
         int object = -1;
-        for (std::size_t k = 0; k < bodies.size(); ++k) {
-            const auto relative = [&](glm::vec3 p) { return Point(p) - bodies[k].middle(); };
-            Real d = bodies[k].boundedDistance(relative(points[i].p));
-            if (bodies[k].kind() == ShapeKind::Plane && bodies[k].distance(relative(points[i].from)) < 0) d = -d;
+        for (std::size_t k = 0; k < exactShapes.size(); ++k) {
+            const auto relative = [&](glm::vec3 p) { return Point(p) - exactShapes[k].middle(); };
+            Real d = exactShapes[k].boundedDistance(relative(points[i].p));
+            if (exactShapes[k].kind() == ShapeKind::Plane && exactShapes[k].distance(relative(points[i].from)) < 0)
+                d = -d;
             if (d < nearest) object = int(k);
             second = std::min(second, std::max(d, nearest));
             nearest = std::min(nearest, d);

@@ -53,12 +53,12 @@ int cellsOf(std::string_view shape) {
 
 /// A wrong answer, to the last bit.
 void describe(const Shape& shape, const BatchRay& ray, const BatchHit& answer) {
-    const Body<double> body(shape);
-    const ExactHit<double> exact = exactHit(body, lineOf(body, ray.origin, ray.direction));
+    const ExactShape<double> exactShape(shape);
+    const ExactHit<double> exact = exactHit(exactShape, lineOf(exactShape, ray.origin, ray.direction));
     std::printf("  o = (%a, %a, %a), d = (%a, %a, %a): exactly %s at %.9Lg, %.3g sizes from deciding otherwise; told "
                 "%s at %.9g\n",
                 ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z,
-                exact.hit ? "a hit" : "none", exact.t, exact.tangency / body.size(),
+                exact.hit ? "a hit" : "none", exact.t, exact.tangency / exactShape.size(),
                 answer.object < 0 ? "none" : "a hit", answer.t);
 }
 
@@ -67,7 +67,7 @@ class Intersect : public testing::TestWithParam<Subject> {};
 TEST_P(Intersect, AnswersLikeTheOracleFromThreeToAHundredThousandSizes) {
     const Subject& subject = GetParam();
     ASSERT_NO_FATAL_FAILURE(chooseGl());
-    const Bounds bounds = boundsOf(subject.body.kind);
+    const Bounds bounds = boundsOf(subject.geometry.kind);
     const std::int64_t each = raysAShape() / cellsOf(subject.shape) + 1;
     std::int64_t decided = 0, hits = 0;
     for (const RayClass kind : kRayClasses)
@@ -93,7 +93,7 @@ TEST_P(Intersect, AnswersLikeTheOracleFromThreeToAHundredThousandSizes) {
                     describe(shape, rays[tally.wrongRays[i]], answers[tally.wrongRays[i]]);
                 decided += tally.decided;
                 hits += tally.hits;
-                EXPECT_GE(tally.decidedShare(), leastDecided(kind, subject.body.kind, distance));
+                EXPECT_GE(tally.decidedShare(), leastDecided(kind, subject.geometry.kind, distance));
                 EXPECT_EQ(tally.missed, 0);
                 EXPECT_EQ(tally.invented, 0);
                 EXPECT_EQ(tally.elsewhere, 0);
@@ -110,7 +110,7 @@ TEST_P(Intersect, TakesDirectionsOfAnyLength) {
     const Subject& subject = GetParam();
     ASSERT_NO_FATAL_FAILURE(chooseGl());
     const Shape shape = placed(subject, RayClass::Uniform, 100);
-    const Bounds bounds = boundsOf(subject.body.kind);
+    const Bounds bounds = boundsOf(subject.geometry.kind);
     Problems problems;
     RayBatch batch(sceneOf({shape}), problems);
     ASSERT_TRUE(batch.valid()) << toString(problems);
@@ -129,12 +129,12 @@ TEST_P(Intersect, TakesDirectionsOfAnyLength) {
 }
 
 // A ray that leaves a surface starts from the point that an earlier ray found, and names the side it travels on: it
-// neither meets its own start again nor misses the rest of the body.
+// neither meets its own start again nor misses the rest of the shape.
 TEST_P(Intersect, LetsARayLeaveTheSurfaceItStartsOn) {
     const Subject& subject = GetParam();
     ASSERT_NO_FATAL_FAILURE(chooseGl());
     const Shape shape = placed(subject, RayClass::Uniform, 10);
-    const Body<double> body(shape);
+    const ExactShape<double> exactShape(shape);
     Problems problems;
     RayBatch batch(sceneOf({shape}), problems);
     ASSERT_TRUE(batch.valid()) << toString(problems);
@@ -150,33 +150,33 @@ TEST_P(Intersect, LetsARayLeaveTheSurfaceItStartsOn) {
             if (dot(way, normal) * side < 0) way = -way;
             if (hit.object < 0 || std::abs(dot(way, normal)) < 0.01) continue;
             second.push_back({hit.point, side, toFloat(way), 0});
-            clear.push_back(0x1p-20 * body.size() / std::abs(dot(way, normal)));
+            clear.push_back(0x1p-20 * exactShape.size() / std::abs(dot(way, normal)));
         }
     ASSERT_GT(second.size(), first.size());
     const std::vector<BatchHit> answers = batch.trace(second);
     int acne = 0, wrong = 0, decided = 0;
     for (std::size_t i = 0; i < second.size(); ++i) {
-        const Line<double> line = lineOf(body, second[i].origin, second[i].direction);
+        const Line<double> line = lineOf(exactShape, second[i].origin, second[i].direction);
         const bool got = answers[i].object >= 0;
-        if (!body.closed()) {
+        if (!exactShape.closed()) {
             acne += got;
             continue;
         }
-        const Vec3<double> start(Vec3<long double>(second[i].origin) - body.middle());
-        const ExactHit<double> exact = exactHit(body, line, clear[i], 4);
+        const Vec3<double> start(Vec3<long double>(second[i].origin) - exactShape.middle());
+        const ExactHit<double> exact = exactHit(exactShape, line, clear[i], 4);
         // Two faces at once, or the tip of a cone: the shortest way through it that leaves at this angle.
-        const double cosine = 0x1p-20 * body.size() / clear[i],
-                     thin = std::min(body.toEdge(start), cosine * body.bend(start));
-        if (exact.tangency < 0x1p-21 * body.size() || thin < 1e-5 * body.size() + 2 * clear[i]) continue;
+        const double cosine = 0x1p-20 * exactShape.size() / clear[i],
+                     thin = std::min(exactShape.toEdge(start), cosine * exactShape.bend(start));
+        if (exact.tangency < 0x1p-21 * exactShape.size() || thin < 1e-5 * exactShape.size() + 2 * clear[i]) continue;
         ++decided;
         acne += got && answers[i].t < clear[i];
-        wrong += exact.hit != got ||
-                 (got && leavesSurface(body, line, exact.s, line.local(answers[i].t), 0x1p-20 * body.size()));
+        wrong += exact.hit != got || (got && leavesSurface(exactShape, line, exact.s, line.local(answers[i].t),
+                                                           0x1p-20 * exactShape.size()));
     }
     std::printf("%s: %zu rays leave the surface, %d decided\n", subject.name().c_str(), second.size(), decided);
     EXPECT_EQ(acne, 0);
     EXPECT_EQ(wrong, 0);
-    if (body.closed()) {
+    if (exactShape.closed()) {
         EXPECT_GT(decided, int(second.size()) * 8 / 10);
     }
 }

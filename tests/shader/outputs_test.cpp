@@ -37,7 +37,7 @@ struct Case {
     double fov = 0; ///< 0: the scene's own
 };
 
-/// Two of each convex body: four side by side, near enough to stand in each, and four behind and beside them.
+/// Two of each convex shape: four side by side, near enough to stand in each, and four behind and beside them.
 constexpr const char* kConvex = R"({"objects": [
     {"box": {"center": [-2, 1.2, 0], "half_size": [0.9, 0.6, 0.7]}},
     {"cylinder": {"from": [0.4, 0.5, -0.3], "to": [2.6, 1.6, 0.5], "radius": 0.6}},
@@ -62,12 +62,12 @@ class PrimaryHits : public testing::TestWithParam<Case> {
         settings.target = GetParam().target;
         scene.camera.eye = GetParam().eye;
         scene.camera.target = GetParam().target;
-        const std::vector<SceneBody> bodies = bodiesOf(scene, settings.time);
+        const std::vector<SceneShape> exactShapes = exactShapesOf(scene, settings.time);
         for (int y = 0; y < kHeight; ++y)
             for (int x = 0; x < kWidth; ++x) {
                 Vec origin, direction;
                 pixelRay(scene.camera, x, y, kWidth, kHeight, origin, direction);
-                exact.push_back(nearestHit(bodies, origin, direction));
+                exact.push_back(nearestHit(exactShapes, origin, direction));
             }
     }
     const SceneHit& at(int x, int y) const { return exact[std::size_t(y) * kWidth + x]; }
@@ -164,7 +164,7 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& test) { return nameOf(test.param.scene) + std::to_string(test.index); });
 
 // The middle ray runs along -z exactly: parallel to faces, to axes and, on the tilted cone, to a line of its side.
-TEST(ParallelRays, MeetConvexBodiesWhereTheyAre) {
+TEST(ParallelRays, MeetConvexShapesWhereTheyAre) {
     struct Row {
         const char* shape;
         double distance; ///< from (0, 0, 9); infinite: passes by

@@ -176,8 +176,8 @@ TEST(Silhouette, OfADiscIsALens) {
 
 /// Share of the disc that rays of the oracle see, on a grid of equal cells.
 double seenByRays(const std::vector<Shape>& shapes, const BatchLit& lit, int rings = 48, int spokes = 96) {
-    std::vector<Body<double>> bodies;
-    for (const Shape& shape : shapes) bodies.emplace_back(shape);
+    std::vector<ExactShape<double>> exactShapes;
+    for (const Shape& shape : shapes) exactShapes.emplace_back(shape);
     const glm::dvec3 toLight = glm::dvec3(lit.light) - glm::dvec3(lit.point);
     const double distance = glm::length(toLight), slope = slopeOf(lit.radius, distance);
     const glm::dvec3 axis = toLight / distance,
@@ -190,10 +190,10 @@ double seenByRays(const std::vector<Shape>& shapes, const BatchLit& lit, int rin
             const double r = std::sqrt((ring + 0.5) / rings), phi = 2 * kPi * (spoke + 0.5 + 0.382 * ring) / spokes;
             const glm::dvec3 d = axis + slope * r * (std::cos(phi) * first + std::sin(phi) * second);
             bool blocked = false;
-            for (std::size_t i = 0; i < bodies.size() && !blocked; ++i) {
+            for (std::size_t i = 0; i < exactShapes.size() && !blocked; ++i) {
                 using W = Wide<double>;
-                const auto line = lineOf(bodies[i], Vec3<W>(glm::dvec3(lit.point)), Vec3<W>(d));
-                const ExactHit<double> hit = exactHit(bodies[i], line);
+                const auto line = lineOf(exactShapes[i], Vec3<W>(glm::dvec3(lit.point)), Vec3<W>(d));
+                const ExactHit<double> hit = exactHit(exactShapes[i], line);
                 blocked = hit.hit && hit.t < distance;
             }
             seen += !blocked;
@@ -216,7 +216,7 @@ Errors againstRays(const std::vector<Shape>& shapes, const std::vector<BatchLit>
     return errors;
 }
 
-/// A turned body of about unit size in the middle, the light about it on all sides and at all sizes.
+/// A turned shape of about unit size in the middle, the light about it on all sides and at all sizes.
 std::vector<BatchLit> aboutTheMiddle(std::uint64_t seed, int count, double least = 1.6) {
     RayStream dice(ball({0, 0, 0}, 1), RayClass::Uniform, 3, seed);
     std::vector<BatchLit> lit;
@@ -253,7 +253,7 @@ TEST_P(SilhouetteOf, AloneIsWhatRaysSee) {
 INSTANTIATE_TEST_SUITE_P(Shapes, SilhouetteOf, testing::ValuesIn(subjects()),
                          [](const auto& test) { return test.param.name(); });
 
-/// Bodies of all convex kinds but the plane, from 0.4 to 1 in size, about the middle.
+/// Shapes of all convex kinds but the plane, from 0.4 to 1 in size, about the middle.
 std::vector<Shape> crowd(std::uint64_t seed, int count) {
     RayStream dice(ball({0, 0, 0}, 1), RayClass::Uniform, 3, seed);
     const auto point = [&](double reach) {
@@ -284,7 +284,7 @@ TEST(Silhouette, OfACrowdIsWhatRaysSee) {
     double squares = 0, worst = 0;
     for (int i = 0; i < 6; ++i) {
         const Errors errors = againstRays(crowd(std::uint64_t(i), i + 1), aboutTheMiddle(std::uint64_t(50 + i), 200));
-        std::printf("%d bodies: rms %.4f worst %.4f\n", i + 1, errors.rms, errors.worst);
+        std::printf("%d shapes: rms %.4f worst %.4f\n", i + 1, errors.rms, errors.worst);
         squares += errors.rms * errors.rms / 6;
         worst = std::max(worst, errors.worst);
     }

@@ -11,7 +11,7 @@
 namespace gnomon {
 namespace {
 
-using oracle::Body;
+using oracle::ExactShape;
 using oracle::RayClass;
 using oracle::RayStream;
 using Vec = oracle::Vec3<double>;
@@ -36,7 +36,7 @@ std::vector<Shape> hardShapes(ShapeKind kind) {
 std::vector<Shape> shapesOf(ShapeKind kind) {
     std::vector<Shape> shapes = hardShapes(kind);
     for (const oracle::Subject& subject : oracle::subjects()) {
-        if (subject.body.kind != kind) continue;
+        if (subject.geometry.kind != kind) continue;
         shapes.push_back(placed(subject, RayClass::Uniform, 1));
         shapes.push_back(placed(subject, RayClass::Axis, 1));
         shapes.push_back(placed(subject, RayClass::Inside, 1e4));
@@ -49,13 +49,13 @@ class BoundsOfShape : public testing::TestWithParam<ShapeKind> {};
 TEST_P(BoundsOfShape, HoldEveryPointOfTheSurface) {
     const std::vector<Shape> shapes = shapesOf(GetParam());
     for (const Shape& shape : shapes) {
-        const Body<double> body(shape);
+        const ExactShape<double> exactShape(shape);
         const Bounds box = *boundsOf(shape);
-        const auto band = (long double)(0x1p-21 * body.size());
+        const auto band = (long double)(0x1p-21 * exactShape.size());
         RayStream stream(shape, RayClass::Uniform, 3, 1);
         int outside = 0;
         for (int n = kPoints / int(shapes.size()); n > 0; --n) {
-            oracle::Vec3<long double> p = body.middle() + oracle::Vec3<long double>(stream.surface().point);
+            oracle::Vec3<long double> p = exactShape.middle() + oracle::Vec3<long double>(stream.surface().point);
             for (int i = 0; i < 3; ++i) outside += !(p[i] - band >= box.low[i] && p[i] + band <= box.high[i]);
         }
         EXPECT_EQ(outside, 0) << "of " << kPoints / int(shapes.size());
@@ -63,39 +63,39 @@ TEST_P(BoundsOfShape, HoldEveryPointOfTheSurface) {
 }
 
 using Far = oracle::Vec3<long double>;
-using FarBody = Body<long double>;
+using FarShape = ExactShape<long double>;
 
 /// The nearest point of the shape: of a disc that of its rim.
-Far ontoShape(const FarBody& body, const Far& p) {
-    if (body.kind() != ShapeKind::Disc) return p - body.distance(p) * body.normal(p);
-    return body.radius() * unit(p - dot(p, body.axis()) * body.axis());
+Far ontoShape(const FarShape& shape, const Far& p) {
+    if (shape.kind() != ShapeKind::Disc) return p - shape.distance(p) * shape.normal(p);
+    return shape.radius() * unit(p - dot(p, shape.axis()) * shape.axis());
 }
 
 /// How far the shape reaches at least from its middle that way: the point of it nearest to one far off that way is
 /// nearly the farthest, and from there nearer ones lead on.
-long double reach(const FarBody& body, Far p, const Far& way) {
+long double reach(const FarShape& shape, Far p, const Far& way) {
     long double most = -1e30L;
-    if (body.kind() == ShapeKind::Triangle) {
-        for (int i = 0; i < 3; ++i) most = std::max(most, dot(body.vertex(i), way));
+    if (shape.kind() == ShapeKind::Triangle) {
+        for (int i = 0; i < 3; ++i) most = std::max(most, dot(shape.vertex(i), way));
         return most;
     }
-    for (long double step = 1e6L * body.size(); step > 1e-5L * body.size(); step *= 0.9L) {
+    for (long double step = 1e6L * shape.size(); step > 1e-5L * shape.size(); step *= 0.9L) {
         p = p + step * way;
-        for (int i = 0; i < 3; ++i) p = ontoShape(body, p);
+        for (int i = 0; i < 3; ++i) p = ontoShape(shape, p);
         // The surface is no farther from p than its distance says.
-        most = std::max(most, dot(p, way) - std::abs(body.distance(p)));
+        most = std::max(most, dot(p, way) - std::abs(shape.distance(p)));
     }
     return most;
 }
 
 TEST_P(BoundsOfShape, TouchTheSurfaceBut2ToTheMinus19OfTheSizeAndFourRoundings) {
     for (const Shape& shape : shapesOf(GetParam())) {
-        const FarBody body(shape);
+        const FarShape exactShape(shape);
         const Bounds box = *boundsOf(shape);
-        Far middle = body.middle();
+        Far middle = exactShape.middle();
         const long double farthest =
-            std::max({std::abs(middle.x), std::abs(middle.y), std::abs(middle.z)}) + body.size();
-        const long double most = 0x1p-19L * body.size() + 4 * 0x1p-23L * farthest;
+            std::max({std::abs(middle.x), std::abs(middle.y), std::abs(middle.z)}) + exactShape.size();
+        const long double most = 0x1p-19L * exactShape.size() + 4 * 0x1p-23L * farthest;
         RayStream stream(shape, RayClass::Uniform, 3, 2);
         for (int face = 0; face < 6; ++face) {
             const int axis = face / 2;
@@ -104,9 +104,9 @@ TEST_P(BoundsOfShape, TouchTheSurfaceBut2ToTheMinus19OfTheSizeAndFourRoundings) 
             const long double bound = face % 2 ? box.high[axis] - middle[axis] : middle[axis] - box.low[axis];
             long double room = 1e30L;
             for (int start = 0; start < 5; ++start)
-                room = std::min(room, bound - reach(body, Far(stream.surface().point), way));
+                room = std::min(room, bound - reach(exactShape, Far(stream.surface().point), way));
             EXPECT_LE(room, most) << "face " << face;
-            EXPECT_GE(room, 0x1p-21L * body.size()) << "face " << face;
+            EXPECT_GE(room, 0x1p-21L * exactShape.size()) << "face " << face;
         }
     }
 }

@@ -98,17 +98,17 @@ Table runTable(const std::vector<std::vector<Cell>>& rows) {
                      {"frame", "frame", "ms", "", Kind::Time, Better::Lower},
                      {"frame_low", "", "ms", ""},
                      {"frame_high", "", "ms", ""},
-                     {"frame_yards", "frame", "calibration = 1", ""},
-                     {"frame_yards_low", "", "calibration = 1", ""},
-                     {"frame_yards_high", "", "calibration = 1", ""},
+                     {"frame_calibrated", "frame", "calibration = 1", ""},
+                     {"frame_calibrated_low", "", "calibration = 1", ""},
+                     {"frame_calibrated_high", "", "calibration = 1", ""},
                      {"cpu", "cpu", "ms", "", Kind::Time, Better::Lower},
                      {"cpu_low", "", "ms", ""},
                      {"cpu_high", "", "ms", ""},
                      {"passes", "passes", "", ""}};
     return table;
 }
-std::vector<Cell> row(const std::string& scene, double depth, double frame, double yards) {
-    return {scene, depth, frame, frame, frame, yards, 0.99 * yards, 1.01 * yards, 1.0, 1.0, 1.0, 4.0};
+std::vector<Cell> row(const std::string& scene, double depth, double frame, double calibrated) {
+    return {scene, depth, frame, frame, frame, calibrated, 0.99 * calibrated, 1.01 * calibrated, 1.0, 1.0, 1.0, 4.0};
 }
 Results run(const std::vector<std::vector<Cell>>& rows) { return {"T", "c", {{"gl", "4.5"}}, {runTable(rows)}, {}}; }
 
@@ -128,7 +128,7 @@ const Table& named(const Results& results, const std::string& name) {
     return found == results.tables.end() ? none : *found;
 }
 
-TEST(Compare, MatchesRowsByTheirKeysAndTellsRatiosInYardsticks) {
+TEST(Compare, MatchesRowsByTheirKeysAndTellsRatiosOfCalibratedFrames) {
     const Results all = compared(run({row("lite", 1, 10, 1), row("lite", 4, 20, 2), row("pro", 1, 40, 4)}),
                                  run({row("lite", 4, 10, 2.06), row("lite", 1, 10, 2), row("new", 1, 10, 1)}));
     ASSERT_EQ(all.tables.size(), 3U) << "summary, frame, missing rows; CPU times are not calibrated";
@@ -156,8 +156,9 @@ Results noisyRun(std::mt19937& random, double mean, bool shared) {
     for (int i = 0; i < 24; ++i) {
         std::vector<double> rounds;
         for (const double luck : common) rounds.push_back(mean * std::exp(noise(random) - (shared ? luck : 0)));
-        const Quartiles yards = quartilesOf(rounds);
-        rows.push_back({"a", double(i), 1.0, 1.0, 1.0, yards.median, yards.low, yards.high, 1.0, 1.0, 1.0, 3.0});
+        const Quartiles calibrated = quartilesOf(rounds);
+        rows.push_back(
+            {"a", double(i), 1.0, 1.0, 1.0, calibrated.median, calibrated.low, calibrated.high, 1.0, 1.0, 1.0, 3.0});
     }
     return run(rows);
 }
@@ -197,8 +198,8 @@ TEST(Compare, NamesTheRowsThatOnlyOneRunHas) {
 }
 
 TEST(Compare, CallsFasterOnlyWhatIsBeyondNoiseAndTolerance) {
-    const auto verdict = [](double yards) {
-        const Results all = compared(run({row("a", 1, 1, 1)}), run({row("a", 1, 1, yards)}));
+    const auto verdict = [](double calibrated) {
+        const Results all = compared(run({row("a", 1, 1, 1)}), run({row("a", 1, 1, calibrated)}));
         return std::get<std::string>(named(all, "bench_frame").rows.at(0).back());
     };
     EXPECT_EQ(verdict(0.955), "the same within noise") << "beyond the notches' 4.1 %, within the tolerance of 5 %";
@@ -316,6 +317,21 @@ TEST(ReadResults, BringsConeOriginsOfEarlierRunsUpToDate) {
     EXPECT_TRUE(problems.empty()) << toString(problems);
     ASSERT_EQ(both.tables.size(), 1U) << "no row is missing";
     EXPECT_EQ(both.tables[0].rows[0][3], Cell(2.0)) << "both rows are compared";
+}
+
+TEST(ReadResults, BringsCalibratedFramesOfEarlierRunsUpToDate) {
+    const Results now = run({row("lite", 1, 10, 2)});
+    Results then = now;
+    for (Column& column : then.tables[0].columns)
+        if (column.key.starts_with("frame_calibrated"))
+            column.key = "frame_yards" + column.key.substr(std::string("frame_calibrated").size());
+    EXPECT_NE(toJson(then), toJson(now));
+    Problems problems;
+    const auto read = readResults(toJson(then), "f", problems);
+    ASSERT_TRUE(read) << toString(problems);
+    EXPECT_EQ(toJson(*read), toJson(now));
+    const Results both = compared(*read, run({row("lite", 1, 10, 1)}));
+    EXPECT_EQ(named(both, "bench_frame").rows[0][8], Cell(0.5)) << "by the calibrated frames";
 }
 
 TEST(ReadResults, BringsSettingsAndWaysOfEarlierRunsUpToDate) {

@@ -427,14 +427,14 @@ struct Group {
 
 struct Picture {
     std::vector<Shape> shapes;
-    std::vector<oracle::Body<double>> bodies;
+    std::vector<oracle::ExactShape<double>> exactShapes;
     std::vector<Ray> rays;
     glm::dvec3 eye;
 };
 
 Picture pictureOf(const Scene& scene, int width, int height) {
     Picture picture{shapesAt(scene, 0), {}, {}, scene.camera.eye};
-    for (const Shape& shape : picture.shapes) picture.bodies.emplace_back(shape);
+    for (const Shape& shape : picture.shapes) picture.exactShapes.emplace_back(shape);
     for (int y = 0; y < height; ++y)
         for (int x = 0; x < width; ++x) {
             oracle::Vec origin, direction;
@@ -444,8 +444,8 @@ Picture pictureOf(const Scene& scene, int width, int height) {
     return picture;
 }
 
-double distanceTo(const oracle::Body<double>& body, const Ray& ray) {
-    const auto hit = exactHit(body, lineOf(body, ray.origin, ray.direction));
+double distanceTo(const oracle::ExactShape<double>& shape, const Ray& ray) {
+    const auto hit = exactHit(shape, lineOf(shape, ray.origin, ray.direction));
     return hit.hit ? double(hit.t) : -1;
 }
 
@@ -461,7 +461,7 @@ Nearest through(const std::vector<Group>& groups, const Picture& picture, const 
     for (const Group& group : groups) {
         const Ask ask = [&](int i) {
             const int object = group.objects[std::size_t(i)];
-            nearest.offer(object, distanceTo(picture.bodies[std::size_t(object)], ray));
+            nearest.offer(object, distanceTo(picture.exactShapes[std::size_t(object)], ray));
         };
         Visits visits{0, double(group.objects.size())};
         if (group.tree)

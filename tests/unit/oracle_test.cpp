@@ -22,12 +22,12 @@ TEST_P(Oracle, AnswersInDoubleAsIn50Digits) {
         for (const double distance : {3.0, 100.0, 1e5}) {
             if (!fits(kind, GetParam())) continue;
             const Shape shape = placed(GetParam(), kind, distance);
-            const Body<double> body(shape);
-            const Body<Digits50> wide(shape);
+            const ExactShape<double> exactShape(shape);
+            const ExactShape<Digits50> wide(shape);
             RayStream stream(shape, kind, distance, 5);
             for (int i = 0; i < 6; ++i) {
                 const BatchRay ray = stream.next();
-                const ExactHit<double> got = exactHit(body, lineOf(body, ray.origin, ray.direction));
+                const ExactHit<double> got = exactHit(exactShape, lineOf(exactShape, ray.origin, ray.direction));
                 const ExactHit<Digits50> exact =
                     exactHit(wide, lineOf(wide, ray.origin, ray.direction), Digits50(0), 3);
                 const double tangency = std::min(double(exact.tangency), 1e-3); // no near decision beyond
@@ -48,13 +48,13 @@ TEST_P(Oracle, AnswersInDoubleAsIn50Digits) {
 INSTANTIATE_TEST_SUITE_P(Subjects, Oracle, testing::ValuesIn(subjects()),
                          [](const auto& test) { return test.param.name(); });
 
-// Of a flat body: no point of it is nearer than its distance, and one of many spread over it is about as near.
+// Of a flat shape: no point of it is nearer than its distance, and one of many spread over it is about as near.
 TEST(FlatDistance, IsThatOfTheNearestOfAllPoints) {
     constexpr int kSteps = 200;
     for (const Subject& subject : subjects()) {
         if (subject.shape != "disc" && subject.shape != "triangle") continue;
         const Shape shape = placed(subject, RayClass::Uniform, 3);
-        const Body<double> body(shape);
+        const ExactShape<double> exactShape(shape);
         RayStream stream(shape, RayClass::Uniform, 3, 11);
         std::vector<Vec3<double>> spread;
         for (int i = 0; i < kSteps * kSteps; ++i) {
@@ -65,20 +65,20 @@ TEST(FlatDistance, IsThatOfTheNearestOfAllPoints) {
             const Vec3<double> p = stream.number(0, 2) * stream.direction();
             double least = 1e30;
             for (const Vec3<double>& q : spread) least = std::min(least, length(p - q));
-            EXPECT_GE(least, body.boundedDistance(p) - 1e-12) << subject.name();
-            EXPECT_LE(least, body.boundedDistance(p) + 0.05) << subject.name();
+            EXPECT_GE(least, exactShape.boundedDistance(p) - 1e-12) << subject.name();
+            EXPECT_LE(least, exactShape.boundedDistance(p) + 0.05) << subject.name();
         }
     }
 }
 
 /// The exact answer, rounded to float32.
-BatchHit roundedAnswer(const Body<double>& body, const BatchRay& ray) {
-    const ExactHit<double> exact = exactHit(body, lineOf(body, ray.origin, ray.direction));
+BatchHit roundedAnswer(const ExactShape<double>& shape, const BatchRay& ray) {
+    const ExactHit<double> exact = exactHit(shape, lineOf(shape, ray.origin, ray.direction));
     BatchHit answer;
     if (!exact.hit) return answer;
     answer.object = 0;
     answer.t = float(exact.t);
-    answer.point = toFloat(body.middle() + Vec3<long double>(exact.point));
+    answer.point = toFloat(shape.middle() + Vec3<long double>(exact.point));
     answer.normal = toFloat(exact.normal);
     return answer;
 }
@@ -86,7 +86,7 @@ BatchHit roundedAnswer(const Body<double>& body, const BatchRay& ray) {
 class CompareHits : public testing::TestWithParam<Subject> {
   protected:
     Shape shape = placed(GetParam(), RayClass::Uniform, 10);
-    Body<double> body{shape};
+    ExactShape<double> exactShape{shape};
     std::vector<BatchRay> rays;
     std::vector<BatchHit> answers;
 
@@ -94,7 +94,7 @@ class CompareHits : public testing::TestWithParam<Subject> {
         RayStream stream(shape, RayClass::Uniform, 10, 3);
         for (int i = 0; i < 300; ++i) {
             rays.push_back(i % 2 ? stream.next() : stream.towardsSurface());
-            answers.push_back(roundedAnswer(body, rays.back()));
+            answers.push_back(roundedAnswer(exactShape, rays.back()));
         }
     }
     /// Compares what `spoil` makes of every hit.
@@ -135,12 +135,13 @@ TEST_P(CompareHits, TellsAPointOfAnotherPlaceOfTheSurface) {
     EXPECT_LE(tally.point.worst, boundsOf(shape.kind).point) << "it is a point of the surface";
 }
 
-TEST_P(CompareHits, TellsTheFarSideOfAClosedBody) {
-    if (!body.closed()) return; // it has none
+TEST_P(CompareHits, TellsTheFarSideOfAClosedShape) {
+    if (!exactShape.closed()) return; // it has none
     const std::int64_t hits = compareHits(shape, rays, answers).hits;
     const Tally tally = spoilt([&](BatchHit& hit, const BatchRay& ray) {
-        const Line<double> line = lineOf(body, ray.origin, ray.direction);
-        const ExactHit<double> exact = exactHit(body, line), far = exactHit(body, line, exact.s - line.start + 1e-5);
+        const Line<double> line = lineOf(exactShape, ray.origin, ray.direction);
+        const ExactHit<double> exact = exactHit(exactShape, line),
+                               far = exactHit(exactShape, line, exact.s - line.start + 1e-5);
         hit.t = float(far.t);
     });
     EXPECT_GE(tally.elsewhere, hits * 8 / 10); // but for short chords and second entries

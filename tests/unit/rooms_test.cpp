@@ -120,7 +120,7 @@ TEST(Rooms, AreFoldersAndFilesBesideThem) {
     EXPECT_EQ(roomOf("tracer/plan/plan.h"), "tracer/plan");
     EXPECT_EQ(roomOf("tracer/image.h"), "tracer");
     EXPECT_EQ(roomOf("tracer/render/pass/trace.cpp"), "tracer/render");
-    EXPECT_EQ(roomOf("lab/reference/exact/body.h"), "lab/reference/exact");
+    EXPECT_EQ(roomOf("lab/reference/exact/exact_shape.h"), "lab/reference/exact");
     EXPECT_EQ(roomOf("web/page/main.js"), "web");
 }
 

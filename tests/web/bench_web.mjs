@@ -21,11 +21,11 @@ const standardSeconds = 300,
   mostSeconds = 86_400,
   mostRounds = 10_000;
 const standardRounds = 15,
-  standardGoes = 3;
+  standardSessions = 3;
 const gnomon = process.env.GNOMON_BINARY ?? fileURLToPath(new URL('../../build/native/gnomon', import.meta.url));
 
 const usage = `usage: scripts/bench-web [SCENE …] [--depth=1,4] [--shadows=off,hard] [--size=400x300] [--KEY=VALUE,… …]
-                         [--browsers=chromium,firefox] [--repeats=N] [--goes=N] [--limit=SECONDS]
+                         [--browsers=chromium,firefox] [--repeats=N] [--sessions=N] [--limit=SECONDS]
                          [--baseline=KEY=VALUE,…] [--json=FILE] [--html=FILE]
 
 Frames a second in the built page (scripts/build web-release): what \`gnomon bench\` measures, in browsers.
@@ -33,7 +33,7 @@ Frames a second in the built page (scripts/build web-release): what \`gnomon ben
   --KEY       any setting takes a list, every combination is a row [--size=800x600 --depth=1,4,8 --shadows=off,hard]
   --browsers  one after the other, without a window [chromium,firefox]
   --repeats   rounds, in each of which every row draws in turn [15]
-  --goes      starts of each browser among which the rounds are spread: a process keeps its luck [3]
+  --sessions  starts of each browser among which the rounds are spread: a process keeps its luck [3]
   --limit     no round begins later, all browsers together [300; none with --repeats]
   --baseline  what each row is divided by [the first row of its scene]
   --json      all numbers; written after every round
@@ -52,7 +52,8 @@ const refuse = (code, message) => {
 
 // --- the command line ------------------------------------------------------------------------------------------------
 
-const plurals = { depths: 'depth', sizes: 'size', browser: 'browsers' };
+/** Other spellings: singular or plural, and earlier names. */
+const aliases = { depths: 'depth', sizes: 'size', browser: 'browsers', goes: 'sessions' };
 
 function readArguments(words) {
   const options = { scenes: [], values: {}, help: false };
@@ -65,7 +66,7 @@ function readArguments(words) {
         : options.scenes.push(word);
     else if (match[2] === undefined)
       refuse(commandLineWrong, `command line: ${match[1]}: has no value; write it as --${match[1]}=VALUE`);
-    else options.values[plurals[match[1]] ?? match[1]] = match[2];
+    else options.values[aliases[match[1]] ?? match[1]] = match[2];
   }
   return options;
 }
@@ -96,14 +97,14 @@ function readOptions(words) {
   if (help) return { help };
   const browsers = [...new Set(take(values, 'browsers', 'chromium,firefox').split(','))];
   const repeats = countOf(values, 'repeats', mostRounds);
-  const goes = Math.min(countOf(values, 'goes', mostRounds) ?? standardGoes, repeats ?? standardRounds);
+  const sessions = Math.min(countOf(values, 'sessions', mostRounds) ?? standardSessions, repeats ?? standardRounds);
   const limit = countOf(values, 'limit', mostSeconds) ?? (repeats ? mostSeconds : standardSeconds);
   const files = { json: checkFile(take(values, 'json')), html: checkFile(take(values, 'html')) };
   const options = {
     scenes: scenes.length ? scenes : ['lite', 'pro'],
     browsers,
     repeats: repeats ?? standardRounds,
-    goes,
+    sessions,
     limit,
     baseline: take(values, 'baseline', ''),
     files,
@@ -127,7 +128,7 @@ function readOptions(words) {
 }
 
 /** The command that makes the same numbers again. */
-function commandOf({ browsers, repeats, goes, limit, baseline }, plan) {
+function commandOf({ browsers, repeats, sessions, limit, baseline }, plan) {
   const inShell = (word) => (/^[\w./-]+$/.test(word) ? word : `'${word}'`);
   const settings = Object.entries(plan.values).map(([key, value]) => `--${key}=${value}`);
   return [
@@ -137,7 +138,7 @@ function commandOf({ browsers, repeats, goes, limit, baseline }, plan) {
     ...settings,
     ...(baseline ? [`--baseline=${baseline}`] : []),
     `--repeats=${repeats}`,
-    ...(goes === Math.min(standardGoes, repeats) ? [] : [`--goes=${goes}`]),
+    ...(sessions === Math.min(standardSessions, repeats) ? [] : [`--sessions=${sessions}`]),
     ...(limit < mostSeconds ? [`--limit=${limit}`] : []),
   ].join(' ');
 }
@@ -193,7 +194,7 @@ function print(name, results) {
 
 const contextOf = (name) => `webgl2-${name}`;
 
-/** One go of the page at `asked`: { results, series, refused: text, dead: the last row told }, where it died. */
+/** One session of the page at `asked`: { results, series, refused: text, dead: the last row told }, where it died. */
 async function measureOnce(browser, url, asked, name, { onround, onplan, onstop }) {
   let last,
     heard = Date.now(),
@@ -212,7 +213,11 @@ async function measureOnce(browser, url, asked, name, { onround, onplan, onstop 
     heard = Date.now();
     if (told.stage === 'planned') onplan(told);
     else if (told.stage === 'problem') complain(`${name}: ${told.text}`);
-    else tell(asked.goes > 1 ? `${name}, go ${asked.go} of ${asked.goes}` : name, (last = told));
+    else {
+      const { browserSession, browserSessions } = asked;
+      last = told;
+      tell(browserSessions > 1 ? `${name}, session ${browserSession} of ${browserSessions}` : name, told);
+    }
   });
   await page.exposeFunction('benchRound', (results, series) => {
     kept = { results, series };
@@ -261,35 +266,36 @@ async function inBrowser(name, work) {
 }
 
 /**
- * All rows in one browser, which each go starts anew: where a process put a program it stays, and that makes it faster
- * or slower by up to a fifth. A row that takes the page with it is told and left out, and the others begin the go anew.
+ * All rows in one browser, which each session starts anew: where a process put a program it stays, and that makes it
+ * faster or slower by up to a fifth. A row that takes the page with it is told and left out, and the others begin the
+ * session anew.
  */
 async function measure(options, url, name, deadline, hooks) {
-  const { scenes, baseline, repeats, goes } = options;
+  const { scenes, baseline, repeats, sessions } = options;
   const leaveOut = [];
   const asked = {
     ...options.values,
     scenes,
     baseline,
     repeats,
-    goes,
+    browserSessions: sessions,
     context: contextOf(name),
     contexts: options.browsers.map(contextOf),
     leaveOut,
     place: 'command line',
   };
   let results, earlier;
-  for (let go = 1; go <= goes && !hooks.stopped();) {
-    if (go > 1 && Date.now() > deadline) break;
-    const limit = Math.max(1, Math.round((deadline - Date.now()) / 1000 / (goes - go + 1)));
+  for (let session = 1; session <= sessions && !hooks.stopped();) {
+    if (session > 1 && Date.now() > deadline) break;
+    const limit = Math.max(1, Math.round((deadline - Date.now()) / 1000 / (sessions - session + 1)));
     const end = await inBrowser(name, (browser) =>
-      measureOnce(browser, url, { ...asked, go, limit, earlier }, name, hooks),
+      measureOnce(browser, url, { ...asked, browserSession: session, limit, earlier }, name, hooks),
     );
     if (end.refused) refuse(/there is no scene/.test(end.refused) ? inputWrong : commandLineWrong, end.refused.trim());
     results = end.results ?? results;
     if (!('dead' in end)) {
       earlier = end.series;
-      ++go;
+      ++session;
       continue;
     }
     if (hooks.stopped()) break;

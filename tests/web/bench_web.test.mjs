@@ -27,7 +27,7 @@ describe('scripts/bench-web', () => {
       ...tiny,
       `--browsers=${browserNames.join(',')}`,
       '--repeats=3',
-      '--goes=2',
+      '--goes=2', // the earlier spelling of --sessions
       '--baseline=shadows=hard',
       `--json=${json}`,
       `--html=${html}`,
@@ -39,7 +39,7 @@ describe('scripts/bench-web', () => {
     assert.equal(
       all.command,
       `scripts/bench-web lite --browsers=${browserNames.join(',')} --depth=1 --shadows=off,hard --size=32x24 ` +
-        '--baseline=shadows=hard --repeats=3 --goes=2',
+        '--baseline=shadows=hard --repeats=3 --sessions=2',
     );
     assert.deepEqual(
       all.tables[0].rows.map((row) => row.slice(0, 5)),
@@ -50,7 +50,7 @@ describe('scripts/bench-web', () => {
     assert.deepEqual(
       all.tables[0].rows.map((row) => row[passes]),
       all.tables[0].rows.map(() => 2),
-      'a browser of its own for each go',
+      'a browser of its own for each session',
     );
     assert.equal(all.charts.length, names.length, 'one for each browser');
     const native = join(folder, 'native.json');

@@ -83,7 +83,7 @@ for (const name of browserNames)
 
     test('medians lie between their quartiles, and the first row has the ratio 1', () => {
       for (const row of results.tables[0].rows)
-        for (const key of ['frame', 'frame_yards', 'ratio']) {
+        for (const key of ['frame', 'frame_calibrated', 'ratio']) {
           const [low, median, high] = [`${key}_low`, key, `${key}_high`].map((column) => row[at(column)]);
           assert.ok(low > 0 && low <= median && median <= high, `${key}: ${low} ${median} ${high}`);
         }
@@ -155,21 +155,21 @@ for (const name of browserNames)
       assert.ok(!(await page.evaluate(() => document.body.classList.contains('lost'))));
     });
 
-    test('goes on in another load of the page with what it measured in this one', async () => {
-      const goes = (options) =>
+    test('continues in another load of the page with what it measured in this one', async () => {
+      const inSession = (options) =>
         page.evaluate(
           async (asked) => {
             let series;
             const results = await window.gnomon.compare({ ...asked, onround: (_, all) => (series = all) });
             return { series, results };
           },
-          { ...tiny, repeats: 3, goes: 2, ...options },
+          { ...tiny, repeats: 3, browserSessions: 2, ...options },
         );
-      const first = await goes({ go: 1 });
+      const first = await inSession({ browserSession: 1 });
       assert.equal(first.results.environment.rounds, `webgl2-${name} 2 of 3`);
       await page.reload();
       await page.evaluate(() => window.gnomon.ready);
-      const second = await goes({ go: 2, earlier: first.series });
+      const second = await inSession({ browserSession: 2, earlier: first.series });
       assert.equal(second.results.environment.rounds, `webgl2-${name} 3 of 3`);
       for (const row of second.results.tables[0].rows) assert.deepEqual([row[at('rounds')], row[at('passes')]], [3, 2]);
       const numbers = (series) =>
@@ -183,13 +183,14 @@ for (const name of browserNames)
         before.map((line) => line.slice(0, 1).concat(line.slice(2, 6), line.slice(7, 9))),
         'the earlier frames stand first',
       );
+      // `go` and `goes` are earlier names of `browserSession` and `browserSessions`.
       assert.match(
         await refusal({ ...tiny, repeats: 3, goes: 2, go: 2, earlier: '1 2 three' }),
         /earlier: these are not the rows that are measured here/,
       );
     });
 
-    test('goes on without the row that takes the context with it', async () => {
+    test('continues without the row that takes the context with it', async () => {
       const after = await page.evaluate(async (asked) => {
         const loser = document.getElementById('view').getContext('webgl2').getExtension('WEBGL_lose_context');
         const told = [];

@@ -1,7 +1,7 @@
 // Frame rates over scenes, depth, shadows, size and any other setting, as `gnomon bench` measures them (docs/bench.md).
 //
 // What is drawn, when, and what becomes of the numbers is decided in C++ (lab/bench/bench_run.h). Here are the loop,
-// which lets the page live between turns, and what only a browser knows.
+// which lets the page live between samples, and what only a browser knows.
 
 import { BenchStep, benchOf } from './compare_calls.js';
 import { fetchImage, fetchScene, fetchSceneIndex } from './load.js';
@@ -23,8 +23,8 @@ const ownOptions = [
   'contexts',
   'leaveOut',
   'place',
-  'go',
-  'goes',
+  'browserSession',
+  'browserSessions',
   'earlier',
 ];
 
@@ -73,10 +73,13 @@ function environmentOf(session, step) {
   ];
 }
 
+const earlierNames = { go: 'browserSession', goes: 'browserSessions' };
+
 const textOf = (value) => (Array.isArray(value) ? value.join(',') : String(value));
 
 /** The options with what is not said, checked as the command line does. */
-function readOptions(options) {
+function readOptions(given) {
+  const options = Object.fromEntries(Object.entries(given).map(([key, value]) => [earlierNames[key] ?? key, value]));
   const place = options.place ?? 'compare';
   const count = (key, standard, most) => {
     const value = options[key] ?? standard;
@@ -103,8 +106,8 @@ function readOptions(options) {
     context: options.context ?? contextName(),
     contexts: options.contexts ?? [options.context ?? contextName()],
     leaveOut: options.leaveOut ?? [],
-    go: count('go', 1, mostRounds),
-    goes: count('goes', 1, mostRounds),
+    browserSession: count('browserSession', 1, mostRounds),
+    browserSessions: count('browserSessions', 1, mostRounds),
     earlier: options.earlier ?? '',
     signal: options.signal,
     onprogress: options.onprogress ?? (() => {}),
@@ -191,7 +194,7 @@ async function measure({ bench, session, asked, plan, step }) {
     const rounds = bench.rounds();
     const ended = stopped()
       ? '; interrupted'
-      : rounds < asked.repeats && asked.go === asked.goes
+      : rounds < asked.repeats && asked.browserSession === asked.browserSessions
         ? '; ended by the limit'
         : '';
     const environment = [
@@ -252,8 +255,8 @@ async function measure({ bench, session, asked, plan, step }) {
   if (await stepThrough('compiling', plan.rows.length, bench.prepare)) {
     if (asked.earlier) check(bench.continueFrom(asked.earlier));
     rounds = bench.rounds();
-    const here = Math.max(1, Math.ceil((asked.repeats * asked.go) / asked.goes) - rounds);
-    bench.start(here, asked.goes, Math.max(0, deadline - performance.now()) / 1000);
+    const here = Math.max(1, Math.ceil((asked.repeats * asked.browserSession) / asked.browserSessions) - rounds);
+    bench.start(here, asked.browserSessions, Math.max(0, deadline - performance.now()) / 1000);
     await stepThrough('drawing', bench.drawn() * (here + 1), race);
   }
   return tellRound();

@@ -21,7 +21,7 @@ export function benchOf({ call, callForText, callWithBytes }) {
     prepare: () => call('benchPrepare'),
     continueFrom: (series) => callForText('benchContinue', series),
     series: () => callForText('benchSeries'),
-    start: (rounds, goes, seconds) => call('benchStart', rounds, goes, seconds),
+    start: (rounds, sessions, seconds) => call('benchStart', rounds, sessions, seconds),
     race: () => call('benchRace'),
     row: () => call('benchRow'),
     drawn: () => call('benchDrawn'),

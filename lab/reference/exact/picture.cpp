@@ -54,10 +54,10 @@ void ColorRange::widen(glm::dvec3 color) {
 }
 
 Picture::Picture(const Scene& scene, int width, int height, int depth)
-    : scene_(scene), bodies_(bodiesOf(scene, 0)), width_(width), height_(height), depth_(depth),
+    : scene_(scene), shapes_(exactShapesOf(scene, 0)), width_(width), height_(height), depth_(depth),
       middles_(std::size_t(width) * height) {
-    for (std::size_t i = 0; i < bodies_.size(); ++i)
-        if (scene.objects[i].castsShadow) casters_.push_back(bodies_[i]);
+    for (std::size_t i = 0; i < shapes_.size(); ++i)
+        if (scene.objects[i].castsShadow) casters_.push_back(shapes_[i]);
     const auto rows = [this](int from) {
         for (int y = from; y < height_; y += 2)
             for (int x = 0; x < width_; ++x) {
@@ -123,7 +123,7 @@ void Picture::widenAtEdges(ColorRange& range, int x, int y) const {
 }
 
 glm::dvec3 Picture::color(Vec origin, Vec direction, int depth) const {
-    const SceneHit hit = nearestHit(bodies_, origin, direction);
+    const SceneHit hit = nearestHit(shapes_, origin, direction);
     if (hit.object < 0) return scene_.background.color;
     const Material& material = scene_.materials[std::size_t(scene_.objects[std::size_t(hit.object)].material)];
     glm::dvec3 sum = shade(material, hit, direction);

@@ -49,7 +49,7 @@ class Picture {
     bool lit(Vec start, Vec light) const;
 
     Scene scene_;
-    std::vector<SceneBody> bodies_, casters_;
+    std::vector<SceneShape> shapes_, casters_;
     int width_, height_, depth_;
     std::vector<glm::dvec3> middles_;
 };

@@ -12,43 +12,44 @@ namespace {
 Vec asInShader(glm::dvec3 v) { return Vec(glm::vec3(v)); }
 Vec toGlm(const Vec3<long double>& v) { return {v.x, v.y, v.z}; }
 
-SceneHit described(int object, const SceneBody& body, const ExactHit<long double>& exact, Vec direction) {
+SceneHit described(int object, const SceneShape& shape, const ExactHit<long double>& exact, Vec direction) {
     SceneHit hit;
     hit.object = object;
     hit.t = exact.t;
-    hit.point = toGlm(body.middle() + exact.point);
+    hit.point = toGlm(shape.middle() + exact.point);
     hit.normal = toGlm(exact.normal);
     const bool against = glm::dot(hit.normal, direction) <= 0;
     if (!against) hit.normal = -hit.normal;
-    hit.outside = body.closed() ? !exact.inside : against;
-    if (!body.closed()) return hit;
-    hit.edge = body.toEdge(exact.point);
-    if (body.kind() == ShapeKind::Cone) hit.turn = 1 / body.bend(exact.point);
+    hit.outside = shape.closed() ? !exact.inside : against;
+    if (!shape.closed()) return hit;
+    hit.edge = shape.toEdge(exact.point);
+    if (shape.kind() == ShapeKind::Cone) hit.turn = 1 / shape.bend(exact.point);
     return hit;
 }
 
 } // namespace
 
-std::vector<SceneBody> bodiesOf(const Scene& scene, double time) {
+std::vector<SceneShape> exactShapesOf(const Scene& scene, double time) {
     const std::vector<Shape> shapes = shapesAt(scene, time);
     const std::vector<ShapeKind> drawn = drawnKinds(scene);
-    std::vector<SceneBody> bodies;
+    std::vector<SceneShape> exactShapes;
     for (std::size_t i = 0; i < shapes.size(); ++i)
-        bodies.emplace_back(shapes[i], drawn[i] == ShapeKind::LargeSphere ? Numbers::OfTheScene : Numbers::OfTheShader);
-    return bodies;
+        exactShapes.emplace_back(shapes[i],
+                                 drawn[i] == ShapeKind::LargeSphere ? Numbers::OfTheScene : Numbers::OfTheShader);
+    return exactShapes;
 }
 
-SceneHit nearestHit(const std::vector<SceneBody>& bodies, Vec origin, Vec direction) {
+SceneHit nearestHit(const std::vector<SceneShape>& exactShapes, Vec origin, Vec direction) {
     SceneHit hit;
     long double margin = hit.margin;
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const auto line = lineOf(bodies[i], Vec3<long double>(origin), Vec3<long double>(direction));
-        const ExactHit<long double> exact = exactHit(bodies[i], line);
+    for (std::size_t i = 0; i < exactShapes.size(); ++i) {
+        const auto line = lineOf(exactShapes[i], Vec3<long double>(origin), Vec3<long double>(direction));
+        const ExactHit<long double> exact = exactHit(exactShapes[i], line);
         margin = std::min(margin, exact.tangency);
         if (!exact.hit) continue;
         // Two surfaces at nearly one distance: which is first may be rounding.
         if (hit.object >= 0) margin = std::min(margin, std::abs(exact.t - hit.t));
-        if (hit.object < 0 || exact.t < hit.t) hit = described(int(i), bodies[i], exact, direction);
+        if (hit.object < 0 || exact.t < hit.t) hit = described(int(i), exactShapes[i], exact, direction);
     }
     hit.margin = margin;
     return hit;

@@ -1,6 +1,6 @@
 #include "lab/reference/exact/solid.h"
 
-#include "lab/reference/exact/body.h"
+#include "lab/reference/exact/exact_shape.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,7 +34,7 @@ double estimateOf(const Shape& bulb, glm::dvec3 p) {
 
 double distanceOf(const Shape& shape, glm::dvec3 p) {
     if (shape.kind == ShapeKind::Mandelbulb) return estimateOf(shape, p);
-    const Body<double> body(shape, Numbers::OfTheScene);
+    const ExactShape<double> body(shape, Numbers::OfTheScene);
     const auto middle = body.middle();
     return body.distance({p.x - double(middle.x), p.y - double(middle.y), p.z - double(middle.z)});
 }

@@ -8,7 +8,7 @@
 namespace gnomon::oracle {
 
 /// Signed distance as the operations define it (tracer/scene/solid.h). Closed analytic shapes by
-/// lab/reference/exact/body.h; a Mandelbulb's estimate by its own formula.
+/// lab/reference/exact/exact_shape.h; a Mandelbulb's estimate by its own formula.
 double fieldOf(const SolidNode&, glm::dvec3 p);
 
 } // namespace gnomon::oracle

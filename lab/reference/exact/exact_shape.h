@@ -24,9 +24,9 @@ using Wide = std::conditional_t<std::is_same_v<R, double>, long double, R>;
 enum class Numbers { OfTheShader, OfTheScene };
 
 template<class R>
-class Body {
+class ExactShape {
   public:
-    explicit Body(const Shape& shape, Numbers numbers = Numbers::OfTheShader) : kind_(shape.kind) {
+    explicit ExactShape(const Shape& shape, Numbers numbers = Numbers::OfTheShader) : kind_(shape.kind) {
         setFields(numbers == Numbers::OfTheShader ? inFloat(shape) : shape);
         size_ = sizeOf();
     }
@@ -38,7 +38,7 @@ class Body {
     /// The distance is a convex function of the point.
     bool convex() const { return closed() && kind_ != ShapeKind::Torus; }
     const Vec3<Wide<R>>& middle() const { return middle_; }
-    /// Radius of the sphere about the middle that holds the body; 1 for a plane.
+    /// Radius of the sphere about the middle that holds the shape; 1 for a plane.
     const R& size() const { return size_; }
     /// Along the torus, the plane's or disc's normal, from `from` to `to`; a triangle's normal.
     const Vec3<R>& axis() const { return axis_; }
@@ -46,7 +46,8 @@ class Body {
     const R& minor() const { return minor_; }
     const Vec3<R>& vertex(int i) const { return vertices_[i]; }
 
-    /// Signed distance of a closed body's surface, negative inside, or of the plane of a flat one. `p` from the middle.
+    /// Signed distance of a closed shape's surface, negative inside, or of the plane of a flat one. `p` from the
+    /// middle.
     R distance(const Vec3<R>& p) const {
         switch (kind_) {
         case ShapeKind::Sphere: return length(p) - radius_;
@@ -91,7 +92,7 @@ class Body {
         return least;
     }
 
-    /// How far a point of a flat body's plane is inside its rim; a plane has none.
+    /// How far a point of a flat shape's plane is inside its rim; a plane has none.
     R withinRim(const Vec3<R>& p) const {
         if (kind_ == ShapeKind::Disc) return radius_ - length(p);
         if (kind_ != ShapeKind::Triangle) return R(1e30);
@@ -131,7 +132,7 @@ class Body {
                            hypotenuse(q.radial, q.along - halfLength_));
     }
 
-    /// The smallest radius of curvature about a point of the surface; of a flat body its smallest height.
+    /// The smallest radius of curvature about a point of the surface; of a flat shape its smallest height.
     R bend(const Vec3<R>& p) const {
         switch (kind_) {
         case ShapeKind::Torus: return std::min<R>(minor_, radius_ - minor_);
