@@ -116,7 +116,7 @@ TEST(Solid, BadOnesAreRefusedWithAReason) {
               std::string::npos);
     EXPECT_NE(problemsOf(R"("offset": {"by": 1})").find("missing key \"of\""), std::string::npos);
     EXPECT_NE(problemsOf(R"("mandelbulb": {"center": [0, 0, 0], "radius": 1, "power": 1.5, "iterations": 4})")
-                  .find("power 1.5"),
+                  .find("power: 1.5 is outside the limits; use a number from 2 to 16"),
               std::string::npos);
     std::string many = R"("union": [)";
     for (int i = 0; i < 64; ++i)

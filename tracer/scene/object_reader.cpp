@@ -39,7 +39,10 @@ bool checkNumber(const Place& place, Range range, double& target) {
     if (!place.expect(Kind::Number, "a number")) return false;
     const double number = place.value.number;
     if (!(number >= range.min && number <= range.max))
-        return place.complain(toString(number) + " is outside the limits", "use a number from " + spelled(range));
+        return place.complain(toString(number) + " is outside the limits",
+                              (range.whole ? "use a whole number from " : "use a number from ") + spelled(range));
+    if (range.whole && number != std::floor(number))
+        return place.complain(toString(number) + " is no whole number", "use one from " + spelled(range));
     target = number;
     return true;
 }

@@ -59,9 +59,6 @@ void readCopies(const ObjectReader& reader, SolidNode& node, SceneReport& report
     reader.read("count", node.count);
     if (!reader.sound()) return;
     for (int i = 0; i < 3; ++i) {
-        if (node.count[i] != std::floor(node.count[i]))
-            return report.add(reader.lineOf("count"), reader.pathOf("count"), "copies are counted in whole numbers",
-                              "use 1, 2, 3, …");
         if (node.count[i] > 1 && !(node.period[i] > 0))
             return report.add(reader.lineOf("period"), reader.pathOf("period"),
                               "copies along an axis need a period above 0", "give the distance from copy to copy");

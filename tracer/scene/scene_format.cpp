@@ -30,8 +30,7 @@ constexpr Range kOffset{-1e6, 1e6};
 constexpr Range kDegrees{-360, 360};
 constexpr Range kScale{1e-3, 1e3};
 constexpr Range kPeriod{0, 1e6};
-constexpr Range kCopies{1, 1000};
-constexpr Range kCount{1, 64};
+constexpr Range kCopies{1, 1000, true};
 constexpr Range kLights{0, 16};
 constexpr Range kMaterials{0, 256};
 
@@ -171,7 +170,7 @@ const ObjectFormat& shapeFormat(const ShapeRow& row) {
             ObjectFormat& format = all.emplace_back();
             for (const ShapeField& field : shape.fields) {
                 const bool length = field.type == FieldType::Length || field.type == FieldType::Lengths;
-                const Range range = length ? kLength : field.type == FieldType::Scalar ? kCount : kCoordinate;
+                const Range range = length ? kLength : field.type == FieldType::Scalar ? field.scalar : kCoordinate;
                 format.fields.push_back({field.key, valueType(field.type), range, field.help, true});
             }
         }
@@ -204,7 +203,7 @@ const ObjectFormat& repetitionFormat() {
         "Copies of a solid in rows; where one reaches over others, at most 64 may meet",
         {{"of", Object, kAny, "What is repeated; it is the first copy", true, &partFormat()},
          {"period", Vector, kPeriod, "From copy to copy along x, y and z", true},
-         {"count", Vector, kCopies, "Copies along x, y and z, whole numbers", true}}};
+         {"count", Vector, kCopies, "Copies along x, y and z", true}}};
     return format;
 }
 

@@ -3,6 +3,8 @@
 /// The reader checks files against these tables and the schema is written from them, so that the two cannot disagree.
 #pragma once
 
+#include "tracer/scene/shapes.h"
+
 #include <string_view>
 #include <vector>
 
@@ -25,10 +27,6 @@ enum class ValueType {
     List, ///< `range` objects of `format`
     Map,  ///< `range` objects of `format`, under names of kName characters
     Ignored,
-};
-
-struct Range {
-    double min, max;
 };
 
 struct ObjectFormat;

@@ -12,7 +12,9 @@ using Json = nlohmann::ordered_json;
 Json objectSchema(const ObjectFormat&);
 Json wholeSchema(const ObjectFormat&);
 
-Json numberSchema(Range range) { return {{"type", "number"}, {"minimum", range.min}, {"maximum", range.max}}; }
+Json numberSchema(Range range) {
+    return {{"type", range.whole ? "integer" : "number"}, {"minimum", range.min}, {"maximum", range.max}};
+}
 
 Json tupleSchema(const Json& item, int count) {
     return {{"type", "array"}, {"items", item}, {"minItems", count}, {"maxItems", count}};

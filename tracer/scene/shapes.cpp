@@ -49,13 +49,6 @@ Complaint checkAxis(const Shape& shape) {
             "move them at least " + toString(kShortest) + " apart"};
 }
 
-Complaint checkMandelbulb(const Shape& shape) {
-    const double power = lengthOf(shape, "power"), iterations = lengthOf(shape, "iterations");
-    if (!(power >= 2 && power <= 16)) return {"power " + toString(power) + " is outside the limits", "use 2 to 16"};
-    if (iterations == std::floor(iterations) && iterations <= 32) return {};
-    return {"iterations " + toString(iterations) + " is no whole number up to 32", "use 1, 2, … 32"};
-}
-
 Extent about(glm::dvec3 center, glm::dvec3 reach) { return {center - reach, center + reach}; }
 Extent hull(const Extent& a, const Extent& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
 
@@ -153,9 +146,9 @@ constexpr ShapeRow kRows[] = {
     {ShapeKind::Mandelbulb, "mandelbulb",
      {{"center", Point, "Centre"},
       {"radius", Length, "Unit of length: the bulb of power 8 reaches about 1.2 of them"},
-      {"power", Scalar, "Power of the map, 2 to 16; 8 is the known one"},
-      {"iterations", Scalar, "How often points are mapped, 1 to 32: more show finer detail"}},
-     checkMandelbulb, mandelbulbExtent, false},
+      {"power", Scalar, "Power of the map; 8 is the known one", {2, 16}},
+      {"iterations", Scalar, "How often points are mapped: more show finer detail", {1, 32, true}}},
+     nothingWrong, mandelbulbExtent, false},
     {ShapeKind::LargeSphere, "large_sphere",
      {{"anchor", Point, "Its point nearest to the eye"},
       {"normal", Direction, "There"},

@@ -53,11 +53,18 @@ constexpr int vectorCount(FieldType type) {
 }
 constexpr int valueCount(FieldType type) { return vectorCount(type) > 0 ? 3 * vectorCount(type) : 1; }
 
+/// What a value may be.
+struct Range {
+    double min, max;
+    bool whole = false; ///< 1, 2, 3, …
+};
+
 struct ShapeField {
     std::string_view key;
     FieldType type;
     std::string_view help;
-    int at = 0; ///< its first value's index among the shape's: FieldList sets it
+    Range scalar{1, 64}; ///< of a Scalar; the other types have the limits of all lengths and positions
+    int at = 0;          ///< its first value's index among the shape's: FieldList sets it
 };
 
 /// The fields of a shape. Their values follow one another.
