@@ -1,11 +1,10 @@
 #include "lab/progress.h"
 
+#include "lab/interruption.h"
 #include "tracer/clock.h"
 #include "tracer/gl/gl.h"
 
 #include <algorithm>
-#include <atomic>
-#include <csignal>
 #include <cstdio>
 #include <unistd.h>
 #include <utility>
@@ -15,12 +14,6 @@ namespace gnomon {
 namespace {
 
 constexpr double kPlainSeconds = 10; // between lines, where there is no terminal
-
-std::atomic<bool> stopped{false};
-extern "C" void stop(int) {
-    stopped = true;
-    std::signal(SIGINT, SIG_DFL); // once more ends the program
-}
 
 } // namespace
 
@@ -32,7 +25,7 @@ std::string labClockName() { return softwareRasterised() ? "CPU time of the proc
 
 LabProgress::LabProgress(std::size_t all, std::string done, double deadline)
     : all_(all), what_(std::move(done)), started_(monotonicSeconds()), told_(started_), deadline_(deadline) {
-    if (!stopped) std::signal(SIGINT, stop);
+    noteInterruption();
 }
 
 LabProgress::~LabProgress() {
@@ -43,14 +36,14 @@ bool LabProgress::step() {
     ++done_;
     const bool terminal = isatty(STDERR_FILENO);
     const double now = monotonicSeconds();
-    if (now - told_ < (terminal ? 0.1 : kPlainSeconds)) return !stopped;
+    if (now - told_ < (terminal ? 0.1 : kPlainSeconds)) return !interrupted();
     told_ = now;
     const double left = (now - started_) / double(done_) * double(all_ - std::min(done_, all_));
     std::fprintf(stderr, "%s%s %zu of %zu, %.0f s left%s", terminal ? "\r" : "gnomon: ", what_.c_str(), done_, all_,
                  std::max(0.0, std::min(left, deadline_ - now)), terminal ? "\x1b[K" : "\n");
-    return !stopped;
+    return !interrupted();
 }
 
-bool LabProgress::interrupted() { return stopped; }
+bool LabProgress::interrupted() { return gnomon::interrupted(); }
 
 } // namespace gnomon

@@ -13,8 +13,8 @@ double (*labClock())();
 /// What labClock() counts, in words.
 std::string labClockName();
 
-/// Says what is left to do, on a terminal in one line, else a line every ten seconds; hears Ctrl-C, of which the second
-/// one ends the program.
+/// Says what is left to do, on a terminal in one line, else a line every ten seconds; from the first one on an
+/// interruption is noted (interruption.h).
 class LabProgress {
   public:
     /// `done` stands before the counts. No time left is told beyond `deadline` on the monotonic clock.

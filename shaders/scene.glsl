@@ -2,8 +2,8 @@
 //
 // On a GPU where the scene fits they lie in a uniform block, else in a float texture 2048 texels wide. Offsets are the
 // constants kSphereBase, kMaterialBase, … at the top of the specialised shader. The texture has one level and no
-// filter, and a texel's centre is its place to 2^-9 of a texel; texelFetch has llvmpipe work out the size of the level
-// for each lane anew (63 instructions instead of 151).
+// filter, and a texel's centre is its position to 2^-9 of a texel; texelFetch has llvmpipe work out the size of the
+// level for each lane anew (63 instructions instead of 151).
 #if DATA_BLOCK
 layout(std140) uniform SceneBlock { vec4 texels[kSceneTexels]; } scene;
 

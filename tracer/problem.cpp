@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <numeric>
+#include <utility>
 
 namespace gnomon {
 
@@ -37,7 +38,30 @@ std::size_t allowedSlips(std::size_t length) {
     return length < 2 ? 0 : std::min(std::max<std::size_t>(1, length / 3), length - 1);
 }
 
+Problem more(std::string file, std::size_t count) {
+    return {std::move(file), 0, {}, "and " + std::to_string(count) + " more problem" + (count == 1 ? "" : "s"), {}};
+}
+
 } // namespace
+
+Problems screenful(Problems problems) {
+    if (problems.size() <= kMostProblems) return problems;
+    const std::size_t rest = problems.size() - (kMostProblems - 1);
+    problems.resize(kMostProblems - 1);
+    problems.push_back(more({}, rest));
+    return problems;
+}
+
+ProblemCounter::ProblemCounter(std::string file, Problems& kept) : file_(std::move(file)), kept_(kept) {}
+
+ProblemCounter::~ProblemCounter() {
+    if (count_ >= kMostProblems) kept_.push_back(more(file_, count_ - (kMostProblems - 1)));
+}
+
+void ProblemCounter::add(int line, std::string path, std::string what, std::string remedy) {
+    if (keeps()) kept_.push_back({file_, line, std::move(path), std::move(what), std::move(remedy)});
+    countOne();
+}
 
 std::string toString(const Problem& problem) {
     std::string text = problem.file;
@@ -51,7 +75,7 @@ std::string toString(const Problem& problem) {
 
 std::string toString(const Problems& problems) {
     std::string text;
-    for (const Problem& problem : problems) text += toString(problem) + "\n";
+    for (const Problem& problem : screenful(problems)) text += toString(problem) + "\n";
     return text;
 }
 

@@ -1,4 +1,5 @@
 #include "lab/results/results.h"
+#include "tracer/printable.h"
 
 #include <nlohmann/json.hpp>
 
@@ -86,12 +87,12 @@ std::size_t widthOf(const std::string& utf8) {
 std::vector<std::string> markdownColumn(const Table& table, std::size_t at) {
     const Column& column = table.columns[at];
     const auto quartiles = quartileColumns(table, at);
-    std::vector<std::string> lines{column.title + (column.unit.empty() ? "" : ", " + column.unit), ""};
+    std::vector<std::string> lines{printable(column.title + (column.unit.empty() ? "" : ", " + column.unit)), ""};
     bool words = true;
     for (const auto& row : table.rows) {
         const bool known = !std::holds_alternative<std::monostate>(row[at]);
         words = words && (!known || std::holds_alternative<std::string>(row[at]));
-        std::string text = brief(row[at]);
+        std::string text = printable(brief(row[at]));
         if (quartiles && known) text += " (" + brief(row[quartiles->low]) + "…" + brief(row[quartiles->high]) + ")";
         lines.push_back(std::move(text));
     }

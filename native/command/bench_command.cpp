@@ -6,6 +6,7 @@
 #include "native/context/environment.h"
 #include "native/report/report.h"
 #include "tracer/clock.h"
+#include "tracer/printable.h"
 
 #include <algorithm>
 #include <chrono>
@@ -29,12 +30,6 @@ struct BenchOptions {
     /// Who says how many rounds gets them.
     int seconds() const { return limit.value_or(repeats ? kMostSeconds : 150); }
 };
-
-std::string inShell(const std::string& word) {
-    const bool plain = word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./-") ==
-                       std::string::npos;
-    return plain ? word : "'" + word + "'";
-}
 
 /// The command that makes the same numbers again.
 std::string commandOf(const BenchOptions& options, const BenchPlan& plan) {
@@ -155,9 +150,9 @@ int finish(const BenchOptions& options, const BenchPlan& plan, const std::vector
     const bool complete = problems.empty();
     writeResults(options.files, results, problems);
     for (const std::string& file : {options.files.json, options.files.html})
-        if (!file.empty() && problems.empty()) std::printf("%s written\n", file.c_str());
+        if (!file.empty() && problems.empty()) std::printf("%s written\n", printable(file).c_str());
     if (!problems.empty()) return fail(complete ? kInputWrong : kNoGl, problems);
-    return LabProgress::interrupted() ? kInterrupted : kDone;
+    return doneOrInterrupted();
 }
 
 int bench(const BenchOptions& options) {

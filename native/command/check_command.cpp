@@ -1,5 +1,6 @@
 /// gnomon check: is this scene file right?
 #include "native/command/commands.h"
+#include "tracer/printable.h"
 
 #include <cstdio>
 #include <memory>
@@ -17,9 +18,9 @@ int check(const std::string& name) {
     const auto loaded = load(name, problems);
     if (!loaded) return fail(kInputWrong, problems);
     const Scene& scene = loaded->scene;
-    std::printf("%s: right (%s, %s, %s, %s)\n", scene.name.c_str(), counted(scene.objects.size(), "object").c_str(),
-                counted(scene.lights.size(), "light").c_str(), counted(scene.materials.size(), "material").c_str(),
-                counted(loaded->images.size(), "image").c_str());
+    std::printf("%s: right (%s, %s, %s, %s)\n", printable(scene.name).c_str(),
+                counted(scene.objects.size(), "object").c_str(), counted(scene.lights.size(), "light").c_str(),
+                counted(scene.materials.size(), "material").c_str(), counted(loaded->images.size(), "image").c_str());
     return kDone;
 }
 

@@ -31,7 +31,8 @@ Problem wrongOption(const std::string& option, const std::string& what, const st
 }
 
 void addScene(CLI::App& command, std::string& scene, bool required) {
-    auto* option = command.add_option("SCENE", scene, "A scene's name, as `gnomon scenes` lists them, or a scene file; - is standard input");
+    auto* option = command.add_option(
+        "SCENE", scene, "A scene's name, as `gnomon scenes` lists them, or a scene file; - is standard input");
     option->type_name("")->required(required);
 }
 

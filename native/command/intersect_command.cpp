@@ -110,7 +110,7 @@ int labIntersect(const IntersectOptions& options) {
     results.tables = {oracle::intersectSummary(rows), oracle::intersectTable(rows)};
     writeResults(options.lab, results, problems);
     if (!options.picture.empty()) writeTextbookPicture(options.picture, problems);
-    return problems.empty() ? kDone : fail(kInputWrong, problems);
+    return problems.empty() ? doneOrInterrupted() : fail(kInputWrong, problems);
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "native/command/commands.h"
 #include "native/file/output_file.h"
 #include "native/report/report.h"
+#include "tracer/printable.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -32,9 +33,18 @@ void checkFileOptions(const LabOptions& options, Problems& problems) {
         if (!file.empty()) prepareOutput(file, problems);
 }
 
+std::string inShell(const std::string& word) {
+    const bool plain = word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:+-") ==
+                       std::string::npos;
+    if (plain && !word.empty()) return word;
+    std::string quoted = "'";
+    for (const char c : word) quoted += c == '\'' ? std::string("'\\''") : std::string(1, c);
+    return quoted + "'";
+}
+
 std::string listOption(const std::string& name, const std::vector<std::string>& values) {
     std::string text;
-    for (const std::string& value : values) text += (text.empty() ? " --" + name + "=" : ",") + value;
+    for (const std::string& value : values) text += (text.empty() ? " --" + name + "=" : ",") + inShell(value);
     return text;
 }
 
@@ -49,7 +59,7 @@ void printEnvironment(const Environment& environment) {
 
 void printTable(const Table& table) {
     if (table.rows.empty()) return;
-    std::printf("\n%s\n\n%s", table.title.c_str(), toMarkdown(table).c_str());
+    std::printf("\n%s\n\n%s", printable(table.title).c_str(), toMarkdown(table).c_str());
     std::fflush(stdout);
 }
 
@@ -57,6 +67,8 @@ void writeResults(const LabOptions& options, const Results& results, Problems& p
     if (!options.json.empty()) writeOutput(options.json, toJson(results), problems);
     if (!options.html.empty()) writeOutput(options.html, toHtml({&results, 1}), problems);
 }
+
+int doneOrInterrupted() { return LabProgress::interrupted() ? kInterrupted : kDone; }
 
 void addLab(CLI::App& app, Task& task) {
     auto* lab = app.add_subcommand("lab", "Measures the tracer's own methods: speed beside error and counters");

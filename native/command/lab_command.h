@@ -23,6 +23,9 @@ void checkLabOptions(const LabOptions&, Problems&);
 void addFileOptions(CLI::App& command, LabOptions&);
 void checkFileOptions(const LabOptions&, Problems&);
 
+/// A word as a shell takes it for itself: in quotes where it has anything but letters, digits and what means nothing.
+std::string inShell(const std::string& word);
+
 /// ` --NAME=A,B,…` for a command that makes the same numbers again; empty where there are no values.
 std::string listOption(const std::string& name, const std::vector<std::string>& values);
 
@@ -36,6 +39,9 @@ void printEnvironment(const Environment&);
 void printTable(const Table&);
 /// Writes the files asked for; a problem for each that cannot be written.
 void writeResults(const LabOptions&, const Results&, Problems&);
+
+/// The exit code where no problem was found.
+int doneOrInterrupted();
 
 void addIntersectLab(CLI::App& lab, Task& task);
 void addTraceLab(CLI::App& lab, Task& task);

@@ -2,6 +2,7 @@
 #include "lab/batch/numerics_self_test.h"
 #include "native/command/commands.h"
 #include "native/context/context.h"
+#include "tracer/printable.h"
 
 #include <nlohmann/json.hpp>
 
@@ -16,7 +17,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 int printJson(const Json& json) {
-    std::printf("%s\n", json.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+    std::printf("%s\n", printable(json.dump(2, ' ', false, Json::error_handler_t::replace), true).c_str());
     return kDone;
 }
 
@@ -39,7 +40,8 @@ int listScenes(bool asJson) {
     for (const auto& scene : list) {
         if (asJson) break;
         const std::string name = scene["name"], title = scene["title"];
-        std::printf("%-16s %4d objects  %s\n", name.c_str(), int(scene["objects"]), title.c_str());
+        std::printf("%-16s %4d objects  %s\n", printable(name).c_str(), int(scene["objects"]),
+                    printable(title).c_str());
     }
     return problems.empty() ? kDone : fail(kInputWrong, problems);
 }
@@ -71,7 +73,7 @@ Json describe(ContextKind kind) {
 
 void printContext(const std::string& name, const Json& context) {
     if (!context["usable"].get<bool>()) {
-        std::printf("%-8s no: %s\n", name.c_str(), context["problem"].get<std::string>().c_str());
+        std::printf("%-8s no: %s\n", name.c_str(), printable(context["problem"].get<std::string>()).c_str());
         return;
     }
     for (const char* key : {"renderer", "version", "shading_language"})
@@ -98,7 +100,7 @@ int info(bool asJson) {
     warnOfNumerics(report["contexts"]);
     if (asJson) return printJson(report);
     std::printf("gnomon   " GNOMON_VERSION "\nassets   %s\n",
-                assets ? assets->root().c_str() : toString(problems).c_str());
+                assets ? printable(assets->root().string()).c_str() : printable(toString(problems), true).c_str());
     for (const auto& [name, context] : report["contexts"].items()) printContext(name, context);
     return kDone;
 }

@@ -1,7 +1,10 @@
 /// gnomon: the desktop program.
+#include "lab/interruption.h"
 #include "native/command/commands.h"
+#include "native/crash.h"
 
 #include <algorithm>
+#include <csignal>
 #include <filesystem>
 
 namespace {
@@ -89,6 +92,10 @@ int parseAndRun(CLI::App& app, std::vector<std::string> words, const Task& task)
 } // namespace
 
 int main(int argc, char** argv) {
+    tellCrashes();
+    holdStandardStreams();
+    endWhenInterrupted(kInterrupted);
+    std::signal(SIGXFSZ, SIG_IGN); // a file that may grow no more is told as a full disk is
     CLI::App app{"Gnomon: a real-time ray tracer in one shader"};
     app.name("gnomon");
     app.set_version_flag("--version", "gnomon " GNOMON_VERSION);
@@ -108,5 +115,5 @@ int main(int argc, char** argv) {
             return fail(kCommandLineWrong, mistyped);
         words.insert(words.begin(), "view");
     }
-    return parseAndRun(app, words, task);
+    return finish(parseAndRun(app, words, task));
 }

@@ -2,6 +2,7 @@
 #include "native/command/commands.h"
 #include "native/context/context.h"
 #include "native/file/image_file.h"
+#include "tracer/printable.h"
 #include "tracer/render/renderer.h"
 
 #include <chrono>
@@ -59,8 +60,8 @@ int render(const RenderOptions& options) {
     const ExitCode code = draw(*loaded, *settings, *pose, options.file, *format, problems);
     if (code != kDone) return fail(code, problems);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-    std::printf("%s: %s, %d x %d, %.2f s\n", options.file.c_str(), loaded->scene.name.c_str(), settings->size.x,
-                settings->size.y, seconds.count());
+    std::printf("%s: %s, %d x %d, %.2f s\n", printable(options.file).c_str(), printable(loaded->scene.name).c_str(),
+                settings->size.x, settings->size.y, seconds.count());
     return kDone;
 }
 

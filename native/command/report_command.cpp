@@ -6,6 +6,7 @@
 #include "native/file/input_file.h"
 #include "native/file/output_file.h"
 #include "native/report/report.h"
+#include "tracer/printable.h"
 #include "tracer/scene/json_document.h"
 
 #include <cstdio>
@@ -52,13 +53,14 @@ void checkOptions(const ReportOptions& options, Problems& problems) {
 int writePage(const ReportOptions& options, const std::vector<Results>& runs, Problems& problems) {
     if (options.page.empty()) return kDone;
     if (!writeOutput(options.page, toHtml(runs), problems)) return fail(kInputWrong, problems);
-    std::printf("%s written\n", options.page.c_str());
+    std::printf("%s written\n", printable(options.page).c_str());
     return kDone;
 }
 
 /// The summary comes last, where a terminal's reader looks first.
 void print(const Results& comparison) {
-    for (const auto& [name, value] : comparison.environment) std::printf("%-10s %s\n", name.c_str(), value.c_str());
+    for (const auto& [name, value] : comparison.environment)
+        std::printf("%-10s %s\n", printable(name).c_str(), printable(value).c_str());
     for (std::size_t i = 1; i < comparison.tables.size(); ++i) printTable(comparison.tables[i]);
     printTable(comparison.tables.front());
 }
@@ -71,7 +73,7 @@ int compareFiles(const ReportOptions& options) {
     Results comparison = compareRuns(runs[1], runs[0], options.tolerance / 100, problems);
     for (Problem& problem : problems) problem.file = options.files.front();
     if (!problems.empty()) return fail(kInputWrong, problems);
-    comparison.command = "gnomon report --against " + options.against + " " + options.files.front() +
+    comparison.command = "gnomon report --against " + inShell(options.against) + " " + inShell(options.files.front()) +
                          " --tolerance=" + toString(options.tolerance);
     comparison.environment.emplace_back("tolerance", "times and ratios " + toString(options.tolerance) +
                                                          " % beyond noise, errors " + toString(100 * kErrorTolerance) +

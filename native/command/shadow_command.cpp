@@ -121,7 +121,7 @@ int labShadows(ShadowOptions options) {
     printTable(results.tables[2]);
     if (LabProgress::interrupted()) std::printf("\ninterrupted: what is done is kept\n");
     writeResults(options.lab, results, problems);
-    return problems.empty() ? kDone : fail(kInputWrong, problems);
+    return problems.empty() ? doneOrInterrupted() : fail(kInputWrong, problems);
 }
 
 } // namespace

@@ -132,7 +132,7 @@ int labTrace(const TraceOptions& options) {
     results.charts = traceCharts();
     addTracePictures(measured.views, measured.growth, results);
     writeResults(options.lab, results, problems);
-    return problems.empty() ? kDone : fail(kInputWrong, problems);
+    return problems.empty() ? doneOrInterrupted() : fail(kInputWrong, problems);
 }
 
 } // namespace

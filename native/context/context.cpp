@@ -1,5 +1,7 @@
 #include "native/context/context.h"
 
+#include "native/crash.h"
+
 namespace gnomon {
 
 std::string_view nameOf(ContextKind kind) { return contextNames()[std::size_t(kind)]; }
@@ -29,6 +31,7 @@ std::unique_ptr<Context> makeBare(ContextKind kind, Problems& problems) {
 } // namespace
 
 std::unique_ptr<Context> makeContext(ContextKind kind, Problems& problems) {
+    blameGl(nameOf(kind));
     auto context = makeBare(kind, problems);
     if (!context) return nullptr;
     if (!context->makeCurrent()) {

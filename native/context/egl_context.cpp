@@ -53,11 +53,13 @@ class EglContext : public Context {
 } // namespace
 
 std::unique_ptr<Context> makeEglContext(Problems& problems) {
-    const auto refuse = [&](const char* what) {
+    const auto refuse = [&](const std::string& what) {
         problems.push_back({"egl context", 0, {}, what, "use --context=osmesa"});
         return nullptr;
     };
-    if (!egl().complete) return refuse("libEGL 1.5 is not installed");
+    const std::string& error = egl().library.error();
+    if (!egl().complete)
+        return refuse(error.empty() ? "libEGL 1.5 is not installed" : "libEGL cannot be loaded: " + error);
     const EGLDisplay display = egl().getPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
     if (display == EGL_NO_DISPLAY || !egl().initialize(display, nullptr, nullptr))
         return refuse("EGL has no surfaceless platform here");

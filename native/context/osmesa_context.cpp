@@ -48,11 +48,13 @@ class OsMesaContext : public Context {
 
 std::unique_ptr<Context> makeOsMesaContext(Problems& problems) {
     if (!osMesa().complete) {
+        const std::string& error = osMesa().library.error();
         problems.push_back({"osmesa context",
                             0,
                             {},
-                            "libOSMesa is not installed",
-                            "install libosmesa6, or use --context=egl or --context=window"});
+                            error.empty() ? "libOSMesa is not installed" : "libOSMesa cannot be loaded: " + error,
+                            error.empty() ? "install libosmesa6, or use --context=egl or --context=window"
+                                          : "use --context=egl or --context=window"});
         return nullptr;
     }
     const int attributes[] = {OSMESA_FORMAT,

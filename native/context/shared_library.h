@@ -4,6 +4,7 @@
 #include <dlfcn.h>
 
 #include <initializer_list>
+#include <string>
 
 namespace gnomon {
 
@@ -11,8 +12,11 @@ class SharedLibrary {
   public:
     /// The first of `names` that opens. Never closed again: drivers leave threads and exit handlers behind.
     explicit SharedLibrary(std::initializer_list<const char*> names) {
-        for (const char* name : names)
+        for (const char* name : names) {
             if ((handle_ = dlopen(name, RTLD_NOW | RTLD_LOCAL))) return;
+            const std::string reason = dlerror();
+            if (reason.find("No such file") == std::string::npos && error_.empty()) error_ = reason;
+        }
     }
     explicit operator bool() const { return handle_ != nullptr; }
 
@@ -23,7 +27,11 @@ class SharedLibrary {
         return function != nullptr;
     }
 
+    /// Why it cannot be opened though it is installed; empty where it is not.
+    const std::string& error() const { return error_; }
+
   private:
+    std::string error_;
     void* handle_ = nullptr;
 };
 

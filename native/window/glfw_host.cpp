@@ -1,4 +1,5 @@
 /// The window by GLFW, with the panel.
+#include "native/crash.h"
 #include "native/window/glfw_window.h"
 #include "native/window/panel.h"
 #include "native/window/session.h"
@@ -148,6 +149,7 @@ class GlfwHost {
 
 int viewWithGlfw(ViewTask task) {
     Problems problems;
+    blameGl("window");
     const auto window = GlfwWindow::open("Gnomon", task.settings.size.x, task.settings.size.y, true, problems);
     if (!window) return fail(kNoGl, problems);
     glfwMakeContextCurrent(window->handle());

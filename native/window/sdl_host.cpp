@@ -1,4 +1,5 @@
 /// The window by SDL2, for systems where GLFW does not do.
+#include "native/crash.h"
 #include "native/window/session.h"
 #include "native/window/window_host.h"
 #include "tracer/gl/gl.h"
@@ -146,6 +147,7 @@ class SdlHost {
 
 int viewWithSdl(ViewTask task) {
     Problems problems;
+    blameGl("window");
     SdlWindow window;
     if (!window.open(task.settings.size)) {
         problems.push_back({"window",

@@ -4,6 +4,7 @@
 #include "native/file/image_file.h"
 #include "tracer/gl/gl.h"
 #include "tracer/gl/read_top_down.h"
+#include "tracer/printable.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -70,7 +71,7 @@ void Session::set(const std::string& key, const std::string& value) {
 }
 
 void Session::say(const std::string& line) {
-    std::printf("%s\n", line.c_str());
+    std::printf("%s\n", printable(line).c_str());
     std::fflush(stdout);
     news_ = line;
     newsUntil_ = now_ + kNewsSeconds;

@@ -16,10 +16,10 @@ struct QuantisedRay {
 QuantisedRay quantisedRay(int grid, Ray ray) {
     vec4 low = sceneTexel(grid);
     vec3 cells = sceneTexel(grid + 1).xyz;
-    vec3 away = ray.origin - low.xyz;
-    vec3 size = abs(away);
+    vec3 offset = ray.origin - low.xyz;
+    vec3 size = abs(offset);
     vec3 room = 9.5e-7 * (max(size.x, max(size.y, size.z)) + low.w) * cells;
-    vec3 origin = away * cells;
+    vec3 origin = offset * cells;
     vec3 direction = ray.direction * cells;
     vec3 steep = vec3(lessThan(abs(direction), vec3(1e-18)));
     return QuantisedRay(origin + room, origin - room, 1.0 / mix(direction, vec3(1e-18), steep));

@@ -5,7 +5,7 @@
 // goOn        reads on in the list in hand where all that is read of it has been taken, or the next cell's; false past
 //             the grid, or past `last` (lastStep() in accel/walk.glsl)
 // takeListed  the next object in the list, -1 where there is none. One that comes twice in a row is passed over
-// Lists       {three objects, -1 for none, the texel at which the list goes on, -1 at its end}
+// Lists       {three objects, -1 for none, the texel at which the list continues, -1 at its end}
 // Error       no object is missed: it is in the lists of all cells that it comes nearer to than 1/64 of a cell
 #include "accel/walk.glsl"
 

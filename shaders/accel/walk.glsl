@@ -49,10 +49,10 @@ int stepOn(vec3 cells, inout GridWalk walk) {
 #if OUTPUT == WORK
     ++work.x;
 #endif
-    int number = int(dot(walk.cell, vec3(1.0, cells.x, cells.x * cells.y)));
+    int index = int(dot(walk.cell, vec3(1.0, cells.x, cells.x * cells.y)));
     vec3 onward = sign(walk.perCell);
     vec3 wall = (walk.cell + 0.5 + 0.5 * onward - walk.origin) * walk.perCell;
     walk.s = min(wall.x, min(wall.y, wall.z));
     walk.cell += onward * vec3(lessThanEqual(wall, vec3(walk.s)));
-    return number;
+    return index;
 }

@@ -31,7 +31,7 @@ vec3 shown(vec4 linear) {
     return linear.r < 0.0 ? vec3(0.0) : 0.25 + 0.75 * shade;
 }
 #elif OUTPUT == POSITION
-// The origin's own fraction, since the sum has no more digits than its place in the world leaves.
+// The origin's own fraction, since the sum has no more digits than its position in the world leaves.
 vec3 shown(vec4 linear) { return linear.a == 0.0 ? vec3(0.0) : fract(fract(frame.origin.xyz) + linear.rgb); }
 #elif OUTPUT == NORMAL
 vec3 shown(vec4 linear) { return linear.a == 0.0 ? vec3(0.0) : 0.5 + 0.5 * linear.rgb; }

@@ -42,7 +42,7 @@ AxialRay axialRay(Axis axis, Ray ray) {
 #if DISTANCES
 struct AxialPoint {
     vec3 across;
-    float away; // its length
+    float radial; // its length
     float along;
 };
 
@@ -62,8 +62,8 @@ vec3 firstAcross(Axis axis) {
 
 vec3 around(Axis axis, vec3 across) {
     across -= dot(across, axis.along) * axis.along; // what rounding left along the axis counts close to it
-    float away = length(across);
-    return away > 1e-15 ? across / away : firstAcross(axis); // squares of shorter ones leave float32
+    float radial = length(across);
+    return radial > 1e-15 ? across / radial : firstAcross(axis); // squares of shorter ones leave float32
 }
 
 // A flat end: the point at +-halfLength (`top`) of the axis, kept within the radius.
@@ -96,7 +96,7 @@ void wrapAround(inout Surface surface, Axis axis, vec3 outward, float radius, fl
 // The apex of the cone as seen from the middle of an axis: unit vectors towards it and beside it, across the axis.
 struct AxialView {
     float along;
-    float away; // from the axis
+    float radial; // from the axis
     vec3 towards;
     vec3 beside;
     vec3 toMiddle; // from the apex
@@ -110,7 +110,7 @@ AxialView axialView(Axis axis, vec3 apex) {
     return AxialView(along, length(across), towards, cross(axis.along, towards), -offset);
 }
 
-// Around the axis at a place along it.
+// Around the axis at a position along it.
 Rim rimAround(LightCone cone, AxialView view, vec3 along, float radius, float from, float sweep) {
     return Rim(across(cone, view.toMiddle + along), across(cone, radius * view.towards),
         across(cone, radius * view.beside), from, sweep);

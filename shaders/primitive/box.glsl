@@ -35,9 +35,9 @@ vec4 distanceBox(Box box, vec3 p, vec3 from) {
     vec3 side = 1.0 - 2.0 * vec3(lessThan(offset, vec3(0.0)));
     vec3 beyond = abs(offset) - box.halfSize;
     vec3 outside = max(beyond, 0.0);
-    float away = length(outside);
+    float gap = length(outside);
     float depth = min(max(beyond.x, max(beyond.y, beyond.z)), 0.0);
-    return vec4(side * safeDirection(outside, away, largestAxis(beyond)), away + depth);
+    return vec4(side * safeDirection(outside, gap, largestAxis(beyond)), gap + depth);
 }
 #endif
 

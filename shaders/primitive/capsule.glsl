@@ -1,9 +1,9 @@
-// Capsule: the points within `radius` of the stretch from one point to another.
+// Capsule: the points within `radius` of the segment from one point to another.
 //
 // ballCapsule       about the middle of the axis
 // distanceCapsule   gradient and signed distance; on the axis a fixed direction across it
 // intersectCapsule  nearest t in (ray.tMin, t); from inside the far side
-// surfaceCapsule    point put back to `radius` from the stretch; u runs once around, v from the tip at `to` to that at
+// surfaceCapsule    point put back to `radius` from the segment; u runs once around, v from the tip at `to` to that at
 //                   `from`
 // Error             band 2^-22 size, ray 2 ulp, point 2 and normal 2 roundings, as docs/numerics.md names them
 //                   (tests/shader/intersect_test.cpp); distance 2 roundings, gradient 2
@@ -34,8 +34,8 @@ vec4 distanceCapsule(Capsule capsule, vec3 p, vec3 from) {
     Axis axis = capsule.axis;
     vec3 offset = (p - axis.from) - axis.toMiddle;
     offset -= clamp(dot(offset, axis.along), -axis.halfLength, axis.halfLength) * axis.along;
-    float away = length(offset);
-    return vec4(safeDirection(offset, away, firstAcross(axis)), away - capsule.radius);
+    float radial = length(offset);
+    return vec4(safeDirection(offset, radial, firstAcross(axis)), radial - capsule.radius);
 }
 #endif
 
@@ -79,14 +79,14 @@ Surface surfaceCapsule(Capsule capsule, Ray ray, float t) {
 #include "shadow/outline.glsl"
 
 // The circle where the light's rays touch the ball about one end: `outward` leads from the other end to it.
-Rim touchedRim(LightCone cone, AxialView view, vec3 end, vec3 outward, float radius, float share) {
+Rim touchedRim(LightCone cone, AxialView view, vec3 end, vec3 outward, float radius, float cosine) {
     vec3 m = view.toMiddle + end;
     float square = max(dot(m, m), 1e-30);
     vec3 first = outward - (dot(outward, m) / square) * m;
     first /= max(length(first), 1e-20);
     float r = radius * sqrt(max(1.0 - radius * radius / square, 0.0));
     // Where the straight edge begins.
-    float from = atan(sqrt(max(1.0 - share * share, 0.0)), share * dot(view.towards, first));
+    float from = atan(sqrt(max(1.0 - cosine * cosine, 0.0)), cosine * dot(view.towards, first));
     vec3 center = m * (1.0 - radius * radius / square);
     return Rim(across(cone, center), across(cone, r * first), across(cone, r * view.beside), -from, 2.0 * from);
 }
@@ -97,12 +97,12 @@ Cover coverCapsule(Capsule capsule, LightCone cone) {
     vec3 outward = view.along < 0.0 ? -capsule.axis.along : capsule.axis.along; // to the end nearer to the apex
     vec3 end = capsule.axis.halfLength * outward;
     float beyond = max(abs(view.along) - capsule.axis.halfLength, 0.0);
-    if (length(vec2(view.away, beyond)) <= capsule.radius) return coverFromInside();
-    bool alone = view.away <= capsule.radius; // one behind the other
-    float share = alone ? 1.0 : capsule.radius / view.away;
-    Rim one = touchedRim(cone, view, end, alone ? view.towards : outward, capsule.radius, share);
+    if (length(vec2(view.radial, beyond)) <= capsule.radius) return coverFromInside();
+    bool alone = view.radial <= capsule.radius; // one behind the other
+    float cosine = alone ? 1.0 : capsule.radius / view.radial;
+    Rim one = touchedRim(cone, view, end, alone ? view.towards : outward, capsule.radius, cosine);
     if (alone) one.sweep = 2.0 * kPi;
-    Rim other = touchedRim(cone, view, -end, -outward, capsule.radius, share);
+    Rim other = touchedRim(cone, view, -end, -outward, capsule.radius, cosine);
     other.from = -other.from;
     other.sweep = -other.sweep;
     return coverRims(one, other, alone);

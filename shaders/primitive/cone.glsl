@@ -1,4 +1,4 @@
-// Cone: a round body that narrows from `radius` about one point, its base, to nothing at another, its apex.
+// Cone: a round solid that narrows from `radius` about one point, its base, to nothing at another, its apex.
 //
 // ballCone       about the middle of the axis
 // distanceCone   gradient and signed distance; on the axis, where the side is nearest, the way around() names
@@ -39,18 +39,18 @@ vec4 distanceCone(Cone cone, vec3 p, vec3 from) {
     vec2 angle = coneAngle(cone);
     vec2 outward = angle.yx;             // of the side, in the half plane of the axis
     vec2 upward = vec2(-angle.x, angle.y); // along the side, from the rim to the apex
-    vec2 fromRim = vec2(local.away - cone.radius, local.along + cone.axis.halfLength);
+    vec2 fromRim = vec2(local.radial - cone.radius, local.along + cone.axis.halfLength);
     float above = dot(fromRim, outward);
     float up = dot(fromRim, upward);
     float past = up - clamp(up, 0.0, length(vec2(cone.radius, 2.0 * cone.axis.halfLength)));
     bool under = fromRim.y < 0.0;
     bool inside = !under && above <= 0.0;
     vec2 apart = under ? vec2(max(fromRim.x, 0.0), fromRim.y) : above * outward + past * upward;
-    float away = length(apart);
+    float gap = length(apart);
     vec2 inner = above > -fromRim.y ? outward : vec2(0.0, -1.0);
-    vec2 nearest = inside ? inner : safeDirection(apart, away, inner);
+    vec2 nearest = inside ? inner : safeDirection(apart, gap, inner);
     vec3 gradient = nearest.x * around(cone.axis, local.across) + nearest.y * cone.axis.along;
-    return vec4(gradient, inside ? max(above, -fromRim.y) : away);
+    return vec4(gradient, inside ? max(above, -fromRim.y) : gap);
 }
 #endif
 
@@ -69,10 +69,10 @@ vec2 coneSide(Cone cone, AxialRay local) {
     float ahead = dot(across, way);               // x1
     float beside = length(across - ahead * way);  // x2
     float h = angle.x * (ahead * belowStep - step * below);
-    float away = angle.y * length(across);
+    float radial = angle.y * length(across);
     float a = (angle.y * step - angle.x * abs(belowStep)) * (angle.y * step + angle.x * abs(belowStep));
     float b = angle.y * angle.y * ahead * step - angle.x * angle.x * below * belowStep;
-    float c = (away - angle.x * below) * (away + angle.x * below);
+    float c = (radial - angle.x * below) * (radial + angle.x * below);
     float side = sqrt(abs(a)) * beside;
     float discriminant = angle.y * angle.y * (a > 0.0 ? (abs(h) - side) * (abs(h) + side) : h * h + side * side);
     if (discriminant < 0.0) return kNever;
@@ -107,10 +107,10 @@ Surface surfaceCone(Cone cone, Ray ray, float t) {
     float slant = length(vec2(cone.radius, 2.0 * axis.halfLength));
     float down = clamp(angle.x * dot(across, outward) + angle.y * below, 0.0, slant); // from the apex along the side
     vec3 offset = (axis.halfLength - angle.y * down) * axis.along + angle.x * down * outward;
-    float away = max(angle.x * down, 1e-6 * cone.radius);
-    Surface surface = bareSurface(onAxis(axis, offset), angle.y * outward + angle.x * axis.along, angle.y / away);
+    float radial = max(angle.x * down, 1e-6 * cone.radius);
+    Surface surface = bareSurface(onAxis(axis, offset), angle.y * outward + angle.x * axis.along, angle.y / radial);
 #if CONE_IMAGES
-    wrapAround(surface, axis, outward, away, down / slant, 1.0 / slant);
+    wrapAround(surface, axis, outward, radial, down / slant, 1.0 / slant);
 #endif
     return surface;
 }
@@ -123,13 +123,14 @@ Cover coverCone(Cone cone, LightCone light) {
     AxialView view = axialView(cone.axis, light.apex);
     vec2 angle = coneAngle(cone);
     float below = cone.axis.halfLength - view.along;
-    float side = angle.x * below / max(angle.y * view.away, 1e-20); // cosine of where the side turns away
+    float side = angle.x * below / max(angle.y * view.radial, 1e-20); // cosine of where the side hides itself
     bool seesBase = below > 2.0 * cone.axis.halfLength;
     if (side >= 1.0 && !seesBase) return coverFromInside();
     bool alone = abs(side) >= 1.0;
-    float turn = alone ? kPi : acos(side);
+    float halfAngle = alone ? kPi : acos(side);
     vec3 end = cone.axis.halfLength * cone.axis.along;
-    Rim base = rimAround(light, view, -end, cone.radius, -turn, seesBase && !alone ? -2.0 * (kPi - turn) : 2.0 * turn);
+    float sweep = seesBase && !alone ? -2.0 * (kPi - halfAngle) : 2.0 * halfAngle;
+    Rim base = rimAround(light, view, -end, cone.radius, -halfAngle, sweep);
     Rim tip = rimAround(light, view, end, 0.0, 0.0, 0.0);
     return coverRims(base, tip, alone);
 }

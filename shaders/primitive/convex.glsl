@@ -1,6 +1,6 @@
-// What the closed convex shapes share: the stretch of a ray inside of a convex body, and the hit that follows from it.
+// What the closed convex shapes share: the interval of a ray inside of a solid, and the hit that follows from it.
 //
-// A span is the s of the two ends of that stretch, along the re-centred ray; empty where x > y. A body that is the
+// A span is the s of the two ends of that interval, along the re-centred ray; empty where x > y. A solid that is the
 // common part of others has the common part of their spans, a convex union the hull.
 //
 // slabSpan    between two parallel planes at +-halfWidth of the coordinate p + s d
@@ -39,19 +39,19 @@ vec2 rootsOf(float a, float b, float c, float discriminant) {
 vec2 roundSpan(vec3 p, vec3 d, float radius) {
     float a = dot(d, d);
     float b = dot(p, d);
-    float away = length(p);
-    if (a < kParallel) return away <= radius ? kAlways : kNever;
+    float radial = length(p);
+    if (a < kParallel) return radial <= radius ? kAlways : kNever;
     float l = length(p - (b / a) * d);
     float discriminant = a * (radius - l) * (radius + l);
     if (!(discriminant >= 0.0)) return kNever;
-    return rootsOf(a, b, (away - radius) * (away + radius), discriminant);
+    return rootsOf(a, b, (radial - radius) * (radial + radius), discriminant);
 }
 
 bool meetConvex(NearRay near, vec2 span, Ray ray, float side, inout float t) {
     float entry = near.tHigh + (near.tLow + span.x);
     float leave = near.tHigh + (near.tLow + span.y);
     float hit = side < 0.0 ? max(leave, 0.0) : (entry > ray.tMin ? entry : leave);
-    // What leaves a convex body never comes back.
+    // What leaves a convex solid never comes back.
     bool meets = side <= 0.0 && hit < t && (side < 0.0 || (span.x <= span.y && hit > ray.tMin));
     t = meets ? hit : t;
     return meets;

@@ -33,12 +33,12 @@ vec4 ballCylinder(Cylinder cylinder) {
 vec4 distanceCylinder(Cylinder cylinder, vec3 p, vec3 from) {
     AxialPoint local = axialPoint(cylinder.axis, p);
     float top = local.along < 0.0 ? -1.0 : 1.0;
-    vec2 beyond = vec2(local.away - cylinder.radius, abs(local.along) - cylinder.axis.halfLength);
+    vec2 beyond = vec2(local.radial - cylinder.radius, abs(local.along) - cylinder.axis.halfLength);
     vec2 outside = max(beyond, 0.0);
-    float away = length(outside);
-    vec2 nearest = safeDirection(outside, away, beyond.x > beyond.y ? vec2(1.0, 0.0) : vec2(0.0, 1.0));
+    float gap = length(outside);
+    vec2 nearest = safeDirection(outside, gap, beyond.x > beyond.y ? vec2(1.0, 0.0) : vec2(0.0, 1.0));
     vec3 gradient = nearest.x * around(cylinder.axis, local.across) + top * nearest.y * cylinder.axis.along;
-    return vec4(gradient, away + min(max(beyond.x, beyond.y), 0.0));
+    return vec4(gradient, gap + min(max(beyond.x, beyond.y), 0.0));
 }
 #endif
 
@@ -80,13 +80,13 @@ Cover coverCylinder(Cylinder cylinder, LightCone cone) {
     AxialView view = axialView(cylinder.axis, cone.apex);
     vec3 end = cylinder.axis.halfLength * cylinder.axis.along;
     float beyond = abs(view.along) - cylinder.axis.halfLength;
-    bool within = view.away <= cylinder.radius;
+    bool within = view.radial <= cylinder.radius;
     if (within && beyond <= 0.0) return coverFromInside();
-    float turn = within ? kPi : acos(cylinder.radius / view.away);
+    float halfAngle = within ? kPi : acos(cylinder.radius / view.radial);
     vec3 first = view.along < 0.0 ? -end : end; // of the two the one nearer to the apex
-    float sweep = beyond > 0.0 && !within ? -2.0 * (kPi - turn) : 2.0 * turn;
-    Rim one = rimAround(cone, view, first, cylinder.radius, -turn, sweep);
-    Rim other = rimAround(cone, view, -first, cylinder.radius, turn, -2.0 * turn);
+    float sweep = beyond > 0.0 && !within ? -2.0 * (kPi - halfAngle) : 2.0 * halfAngle;
+    Rim one = rimAround(cone, view, first, cylinder.radius, -halfAngle, sweep);
+    Rim other = rimAround(cone, view, -first, cylinder.radius, halfAngle, -2.0 * halfAngle);
     return coverRims(one, other, within);
 }
 #endif

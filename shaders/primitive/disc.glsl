@@ -31,10 +31,10 @@ vec4 distanceDisc(Disc disc, vec3 p, vec3 from) {
     vec3 offset = p - disc.center;
     float above = dot(offset, disc.normal);
     vec3 across = offset - above * disc.normal;
-    float away = length(across);
-    float beyond = max(away - disc.radius, 0.0);
+    float radial = length(across);
+    float beyond = max(radial - disc.radius, 0.0);
     float least = length(vec2(above, beyond));
-    vec3 fromRim = above * disc.normal + beyond * safeDirection(across, away, vec3(0.0));
+    vec3 fromRim = above * disc.normal + beyond * safeDirection(across, radial, vec3(0.0));
     return vec4(safeDirection(fromRim, least, disc.normal), least);
 }
 #endif

@@ -36,14 +36,14 @@ vec4 distanceLargeSphere(LargeSphere sphere, vec3 p, vec3 from) {
     vec3 offset = p - sphere.anchor;
     float k = sphere.curvature;
     vec3 outward = sphere.normal + k * offset; // k times the way from the centre
-    float away = length(outward);
+    float radial = length(outward);
     float radius = sqrt(1.0 - 2.0 * k * sphere.height); // k times it
     float bent = 0.5 * k * dot(offset, offset) + dot(sphere.normal, offset) + sphere.height;
-    return vec4(safeDirection(outward, away, sphere.normal), 2.0 * bent / (away + radius));
+    return vec4(safeDirection(outward, radial, sphere.normal), 2.0 * bent / (radial + radius));
 }
 #endif
 
-// The stretch of the ray p + s d inside.
+// The interval of the ray p + s d inside.
 vec2 largeSphereSpan(LargeSphere sphere, vec3 p, vec3 d) {
     float a = dot(d, d);
     float along = dot(p, d);

@@ -27,8 +27,8 @@ vec4 ballSphere(Sphere sphere) { return vec4(sphere.center, sphere.radius); }
 
 vec4 distanceSphere(Sphere sphere, vec3 p, vec3 from) {
     vec3 offset = p - sphere.center;
-    float away = length(offset);
-    return vec4(safeDirection(offset, away, vec3(0.0, 1.0, 0.0)), away - sphere.radius);
+    float radial = length(offset);
+    return vec4(safeDirection(offset, radial, vec3(0.0, 1.0, 0.0)), radial - sphere.radius);
 }
 #endif
 
@@ -81,7 +81,7 @@ Surface surfaceSphere(Sphere sphere, Ray ray, float t) {
 
 Cover coverSphere(Sphere sphere, LightCone cone) {
     vec3 m = (sphere.center - cone.apex) * cone.axes;
-    float away = length(m);
-    return coverRound(m, sphere.radius, (away - sphere.radius) * (away + sphere.radius), cone.distance, cone.slope);
+    float radial = length(m);
+    return coverRound(m, sphere.radius, (radial - sphere.radius) * (radial + sphere.radius), cone.distance, cone.slope);
 }
 #endif

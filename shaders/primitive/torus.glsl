@@ -38,8 +38,8 @@ vec4 distanceTorus(Torus torus, vec3 p, vec3 from) {
     vec3 offset = p - torus.center;
     float along = dot(offset, torus.axis);
     vec3 across = offset - along * torus.axis;
-    float away = length(across);
-    float beyond = away - torus.major;
+    float radial = length(across);
+    float beyond = radial - torus.major;
     float fromCircle = length(vec2(beyond, along));
     across -= dot(across, torus.axis) * torus.axis; // what rounding left along the axis counts close to it
     vec3 outward = safeDirection(across, length(across), anyAcross(torus.axis));
@@ -56,7 +56,7 @@ struct TubeRay {
     vec3 acrossStep; // of the direction
     float square;    // |acrossStep|²
     float perSquare; // 1 / square, below all infinities
-    float middle;    // s of the place nearest to the axis
+    float middle;    // s of the point nearest to the axis
     float least;     // its squared distance from the axis
 };
 
@@ -91,7 +91,7 @@ float tubeBend(Torus torus, TubeRay ray, float s) {
     return (ray.square + ray.dz * ray.dz) * sqrt(square) - torus.major * ray.square * ray.least / square;
 }
 
-// The stretch of the ray that can hold a hit: within the cylinder |xy| <= major + minor and the slab |z| <= minor;
+// The interval of the ray that can hold a hit: within the cylinder |xy| <= major + minor and the slab |z| <= minor;
 // empty where x > y.
 vec2 torusBounds(Torus torus, TubeRay ray) {
     const vec2 kNone = vec2(1.0, 0.0);
@@ -138,10 +138,10 @@ struct TubePiece {
     bool worth; // there may be a root
 };
 
-// at.x is the start of the bounded ray, at.y and at.z the ends of the concave stretch. Where the ray starts outside of
+// at.x is the start of the bounded ray, at.y and at.z the ends of the concave interval. Where the ray starts outside of
 // the tube the pieces are convex, concave, convex; inside, where -g is what falls, concave, convex, concave.
 TubePiece firstPiece(Torus torus, TubeRay ray, vec3 at, vec3 g, vec3 slope, bool outside) {
-    bool before = at.y > at.x && g.y <= 0.0; // the root lies before the stretch
+    bool before = at.y > at.x && g.y <= 0.0; // the root lies before the interval
     bool within = at.z > at.y && g.z <= 0.0; // or, if not, in it
     bool upToInterval = outside || before;
     float low = upToInterval ? at.x : at.y;
@@ -162,7 +162,7 @@ TubePiece firstPiece(Torus torus, TubeRay ray, vec3 at, vec3 g, vec3 slope, bool
     return TubePiece(s, low, high, outside || !before, known, trial, fall < 0.0 && high > low && (known || dips));
 }
 
-// From outside the concave stretch where it holds a root, else what lies behind it, both from at.z; from inside always
+// From outside the concave interval where it holds a root, else what lies behind it, both from at.z; from inside always
 // what lies behind.
 TubePiece nextPiece(vec3 at, vec3 g, vec3 slope, float end, bool outside) {
     bool within = outside && at.z > at.y && g.z <= 0.0;
@@ -274,7 +274,7 @@ Surface surfaceTorus(Torus torus, Ray ray, float t) {
 #if COVERS
 #include "shadow/ring_cover.glsl"
 
-// horizon: the surface's normal; own: that of the torus itself, whose place is exact to `uncertain`.
+// horizon: the surface's normal; own: that of the torus itself, whose position is exact to `uncertain`.
 void uniteTorus(Torus torus, LightCone cone, vec3 horizon, bool own, float uncertain, inout Shade shade) {
     float perMajor = 1.0 / torus.major;
     vec3 apex = (cone.apex - torus.center) * perMajor;

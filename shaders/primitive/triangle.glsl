@@ -12,7 +12,7 @@
 //                    its height (tests/shader/distance_test.cpp; measured 2.0 and 2.1)
 // Source             S. Woop, C. Benthin, I. Wald, Watertight Ray/Triangle Intersection, JCGT 2(1) 2013; no edge
 //                    function is contracted to fused multiply-add, which would tell the two triangles of an edge apart.
-//                    The ray is re-centred on the middle of all triangles, one point for all of them: they go on seeing
+//                    The ray is re-centred on the middle of all triangles, one point for all of them: they keep seeing
 //                    one and the same ray (docs/numerics.md)
 // Limits             not degenerate
 struct Triangle {

@@ -6,8 +6,8 @@
 //           any more. |error of the new origin| <= 1 ulp of the closest distance, from any distance (4.9e-4 naively at
 //           1e4 units)
 // passesBy  whether the ray's line passes a ball by, {centre, radius}, with the room that rounding from far away needs:
-//           searches and shapes that are expensive to meet dismiss most objects by this alone. `stretch`, of the ray,
-//           is the same for all balls: not every compiler sees that
+//           searches and shapes that are expensive to meet dismiss most objects by this alone. `paddedSquare`, of the
+//           ray, is the same for all balls: not every compiler sees that
 // Source    Dekker's splitting and Knuth's exact difference; figures in docs/numerics.md
 // Limits    any direction but 0. Some compilers fold d - dh back into d, or (a - b) - a into -b: the zero of the frame
 //           block, an optimisation barrier, keeps them apart
@@ -40,11 +40,11 @@ NearRay recentre(vec3 origin, vec3 center, vec3 direction) {
 
 float paddedSquaredLength(Ray ray) { return 1.00001 * dot(ray.direction, ray.direction); }
 
-bool passesBy(Ray ray, float stretch, vec4 ball) {
+bool passesBy(Ray ray, float paddedSquare, vec4 ball) {
     vec3 toOrigin = ray.origin - ball.xyz;
     vec3 moment = cross(toOrigin, ray.direction);
     float room = ball.w + 1e-6 * (abs(toOrigin.x) + abs(toOrigin.y) + abs(toOrigin.z));
-    return dot(moment, moment) > room * room * stretch;
+    return dot(moment, moment) > room * room * paddedSquare;
 }
 
 bool passesBy(Ray ray, vec4 ball) { return passesBy(ray, paddedSquaredLength(ray), ball); }

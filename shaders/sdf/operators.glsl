@@ -2,10 +2,10 @@
 //
 // unite, intersect, subtract  the least, the greatest, the greatest of one and the negative of the other
 // melt                        union that bends within `blend` of a seam (quadratic); never more than the union
-// unplaced, placed            a point taken into a body's own frame, and the field there brought back: scaled, turned
-//                             by the unit quaternion, then moved. `place` is {translation, scale}
-// inCopy                      a point in the frame of one of the copies nearest to it: bits of `copy` choose along each
-//                             axis of which `bits` is not 0 the second nearest place instead of the nearest
+// unplaced, placed            a point taken into a solid's own frame, and the field there brought back: scaled, turned
+//                             by the unit quaternion, then moved. `placement` is {translation, scale}
+// inCopy                      a point in the frame of a copy: of a window of so many along each axis, those nearest to
+//                             the point, the one that is `at` in it
 // Source  I. Quilez, Smooth Minimum, 2013 (the quadratic one); J. Hart, Sphere Tracing, 1996
 const vec4 kNothing = vec4(0.0, 1.0, 0.0, 1e30);
 
@@ -21,13 +21,10 @@ vec4 melt(vec4 a, vec4 b, float blend) {
 }
 
 vec3 turned(vec3 v, vec4 q) { return v + 2.0 * cross(q.xyz, cross(q.xyz, v) + q.w * v); }
-vec3 unplaced(vec3 p, vec4 q, vec4 place) { return turned(p - place.xyz, vec4(-q.xyz, q.w)) / place.w; }
+vec3 unplaced(vec3 p, vec4 q, vec4 placement) { return turned(p - placement.xyz, vec4(-q.xyz, q.w)) / placement.w; }
 vec4 placed(vec4 field, vec4 q, float scale) { return vec4(turned(field.xyz, q), field.w * scale); }
 
-vec3 inCopy(vec3 p, vec3 period, vec3 count, int copy, ivec3 bits) {
-    vec3 places = p / max(period, vec3(1e-20));
-    vec3 nearest = floor(places + 0.5);
-    vec3 second = nearest + mix(vec3(-1.0), vec3(1.0), greaterThanEqual(places, nearest));
-    vec3 chosen = mix(nearest, second, notEqual(ivec3(copy) & bits, ivec3(0)));
-    return p - period * clamp(chosen, vec3(0.0), count - 1.0);
+vec3 inCopy(vec3 p, vec3 period, vec3 count, vec3 window, vec3 at) {
+    vec3 first = ceil(p / max(period, vec3(1e-20)) - 0.5 * window);
+    return p - period * (clamp(first, vec3(0.0), count - window) + at);
 }

@@ -3,7 +3,7 @@
 // sceneDistance  xyz: gradient, unit; w: signed distance of the nearest of all objects that cast shadows, with `from`
 //                as the shapes' own distances take it. What is farther than `atMost` is not looked for: where nothing
 //                is nearer, w is that
-// Error          that of the nearest object's shape. Where bodies overlap, w inside is that of the deepest one: a bound
+// Error          that of the nearest object's shape. Where solids overlap, w inside is that of the deepest one: a bound
 //                from above for the way out of all of them
 // Cost           one loop a kind: over every object, or over those that a search comes to (sdf/nearby.glsl)
 #for Shape in CASTERS

@@ -1,18 +1,26 @@
-// A body of a form that is told by its distances: what rays and shadows do with the generated fieldTYPE().
+// A solid of a form that is told by its distances: what rays and shadows do with the generated fieldTYPE().
 //
-// intersect  nearest t in (ray.tMin, t), found by marching between where the ray enters and leaves the body's ball.
-//            frame.marchSteps steps at most: what they do not reach is not met.
-//            MARCH_STEPS: equal steps of the ball, then bisection: what is thinner than a step may be missed
-//            MARCH_SPHERE: steps as long as the distance, until that is what float32 resolves of the ball
-//            MARCH_CONE: the same, until the pixel's cone, taken to widen from the eye, holds the surface
+// intersect  nearest t in (ray.tMin, t) at which the ray passes through the surface, found by marching between where
+//            the ray enters and leaves the solid's bounding sphere. frame.marchSteps steps at most: what they do not
+//            reach is not met.
+//            MARCH_STEPS: equal steps of the sphere: what is thinner than a step may be missed
+//            MARCH_SPHERE: steps as long as the distance, or what float32 resolves of the sphere
+//            MARCH_CONE: or half the width of the pixel's cone, taken to widen from the eye
 //            MARCH_RELAXED: that with steps as long as if the distance went on to change along the ray as it did, taken
 //            back where the balls free of the surface about both ends do not touch
+//            Where the surface is as near as the least step, the step is to where its tangent plane says, and a little
+//            beyond. Only what has the solid beyond it is met: a surface that the ray just touches, as the skin that
+//            two flush solids leave over a hole, is passed. Steps and so t are the same whatever was met before: of
+//            equal solids the first is met. An estimate has no gradient, and its surface detail without end: it is met
+//            where it is as near as the least step
 // surface    the point pulled onto the surface along the gradient; images lie on it as on a floor, in scene units
 // gradient   of an estimate: differences over a tetrahedron of size `reach`
-// Error      t: short of the surface by what the pixel covers, or 2^-20 of the ball's radius where rays start
-//            elsewhere; the point is at most half of that beside it (tests/shader/solid_test.cpp)
+// Error      t: a point at most 2^-18 of the sphere's radius off the surface; what is thinner than that is not met.
+//            Of an estimate: short of the surface by what the pixel covers, the point at most half of that beside it
+//            (tests/shader/solid_test.cpp)
 // Source     J. Hart, Sphere Tracing, 1996; J. Amanatides, Ray Tracing with Cones, 1984;
-//            C. Bán and G. Valasek, Automatic Step Size Relaxation in Sphere Tracing, 2023
+//            C. Bán and G. Valasek, Automatic Step Size Relaxation in Sphere Tracing, 2023;
+//            false position: M. Dowell and P. Jarratt, A Modified Regula Falsi Method, 1971
 struct $Shape {
     int at;
     vec4 ball;
@@ -32,82 +40,101 @@ vec4 marched$Shape(int at, vec3 p) {
 bool intersect$Shape($Shape solid, Ray ray, float side, inout float t) {
     if (side == 0.0 && passesBy(ray, solid.ball)) return false;
     NearRay near = recentre(ray.origin, solid.ball.xyz, ray.direction);
-    float away = length(near.origin);
-    float chord = sqrt(max((solid.ball.w - away) * (solid.ball.w + away), 0.0));
-    float s = max(-chord, (ray.tMin - near.tHigh) - near.tLow);
-    float end = min(chord, (t - near.tHigh) - near.tLow);
+    float radial = length(near.origin);
+    float end = sqrt(max((solid.ball.w - radial) * (solid.ball.w + radial), 0.0));
+    float limit = min(end, (t - near.tHigh) - near.tLow);
+    float s = max(-end, (ray.tMin - near.tHigh) - near.tLow);
     float finest = 1e-6 * solid.ball.w;
     float inside = side;
+    float last = s;    // the ray is free up to here
+    float known = 0.0; // the distance there
+    float free = 0.0;  // the distance at s, negative beyond the surface
+    bool met = false;
 #if MARCH == MARCH_STEPS
     float stride = 2.0 * solid.ball.w / float(frame.marchSteps);
-    float last = s;
-    bool met = false;
-    if (inside == 0.0) inside = marched$Shape(solid.at, near.origin + s * ray.direction).w < 0.0 ? -1.0 : 1.0;
-    for (int i = 0; i < frame.marchSteps && !met; ++i) {
-        last = s;
-        s += stride;
-        if (last > end) return false;
-        met = inside * marched$Shape(solid.at, near.origin + s * ray.direction).w < 0.0;
-    }
-    if (!met) return false;
-    for (int i = 0; i < 24; ++i) {
-        float middle = 0.5 * (last + s);
-        if (inside * marched$Shape(solid.at, near.origin + middle * ray.direction).w < 0.0) s = middle;
-        else last = middle;
+    for (int i = 0; i <= frame.marchSteps && !met; ++i) {
+        if (s > end || last > limit) return false;
+        float field = marched$Shape(solid.at, near.origin + s * ray.direction).w;
+        if (inside == 0.0) inside = field < 0.0 ? -1.0 : 1.0;
+        free = inside * field;
+        met = free < -finest && i > 0;
+        if (!met) {
+            last = s;
+            known = free;
+            s += stride;
+        }
     }
 #else
-    bool met = false;
+    bool bold = false; // the last step is longer than what is known to be free
+    bool clear = side == 0.0; // the ray has left the surface that it starts on, where rounding says anything
 #if MARCH == MARCH_RELAXED
-    float taken = 0.0;   // the last step
-    float known = 0.0;   // what was free at its start
     float slope = -1.0;  // of the distance along the ray, as it seems
 #endif
 #if $SHAPE_ESTIMATED
-    float before = side == 0.0 ? 1e30 : -1.0; // at its start a ray touches the surface that it leaves
+    float before = side == 0.0 ? 1e30 : -1.0;
 #endif
     for (int i = 0; i < frame.marchSteps && !met; ++i) {
-#if MARCH == MARCH_RELAXED
-        if (s > end && s - taken + known < end) { // what lies between is not known to be free
-            taken -= s - end;
-            s = end;
-        }
-#endif
-        if (s > end) return false;
+        if (s > end && last + known < end) s = end;
+        if (s > end || last > limit) return false;
         vec4 field = marched$Shape(solid.at, near.origin + s * ray.direction);
         if (inside == 0.0) inside = field.w < 0.0 ? -1.0 : 1.0;
-        float free = inside * field.w;
-        float enough = finest;
-#if MARCH == MARCH_RELAXED
-        if (abs(free) + known < taken) {
-            s += known - taken;
-            taken = known;
-            slope = -1.0;
-            continue;
-        }
-        if (taken > 0.0) slope = mix(slope, (free - known) / taken, 0.7);
-#endif
+        free = inside * field.w;
+        float least = finest;
 #if MARCH == MARCH_CONE || MARCH == MARCH_RELAXED
-        enough = max(enough, 0.5 * frame.pixelAngle * (near.tHigh + (near.tLow + s)));
+        least = max(least, 0.5 * frame.pixelAngle * (near.tHigh + (near.tLow + s)));
 #endif
-        // What the ray recedes from, as the surface that it leaves, it does not meet.
+        float taken = s - last;
+        bool gap = bold && abs(free) + known < taken; // what lies between is not known to be free
 #if $SHAPE_ESTIMATED
-        met = free < enough && free <= before;
-        before = free;
+        met = !gap && free < least && free <= before;
+        if (!gap) before = free;
 #else
-        met = free < enough && inside * dot(field.xyz, ray.direction) < 0.0;
+        float approach = -inside * dot(field.xyz, ray.direction);
+        gap = gap && !(known < least && free >= 0.0 && free <= known && approach > 0.0); // it nears as was foreseen
+        met = free < -finest && (clear || approach > 0.0);
+        clear = clear || free > 2.0 * finest;
 #endif
 #if MARCH == MARCH_RELAXED
-        known = max(free, enough);
-        taken = known * 2.0 / clamp(1.0 - slope, 1.25, 2.0);
-        if (!met) s += taken;
-#else
-        if (!met) s += max(free, enough);
+        if (taken > 0.0) slope = gap ? -1.0 : mix(slope, (free - known) / taken, 0.7);
 #endif
+        if (!met) {
+            last = gap ? last : s;
+            known = gap ? known : max(free, 0.0);
+            float step = max(known, least);
+#if MARCH == MARCH_RELAXED
+            step *= 2.0 / clamp(1.0 - slope, 1.25, 2.0);
+#endif
+            bold = step > max(known, least);
+#if !$SHAPE_ESTIMATED
+            bool nears = free < least && approach > 0.0;
+            if (nears) step = max(known, min((free + 2.0 * finest) / approach, 32.0 * least));
+            bold = bold || nears;
+#endif
+            if (gap) step = max(max(known, finest), 0.5 * taken);
+            bold = gap ? 0.5 * taken > max(known, finest) : bold;
+            s = last + step;
+        }
     }
-    if (!met) return false;
 #endif
-    if (s > end) return false;
-    t = near.tHigh + (near.tLow + s);
+    if (!met) return false;
+#if MARCH == MARCH_STEPS || !$SHAPE_ESTIMATED
+    // Where the solid is about `finest` deep, between `last` and s by false position.
+    float beyond = s, depth = free + finest;
+    float off = depth;
+    known = max(known, 0.0) + finest;
+    for (int i = 0; i < 16 && abs(off) > 2.0 * finest && beyond - last > finest; ++i) {
+        s = mix(last, beyond, known / (known - depth));
+        off = inside * marched$Shape(solid.at, near.origin + s * ray.direction).w + finest;
+        bool nearer = off > 0.0;
+        last = nearer ? s : last;
+        known = nearer ? off : 0.5 * known;
+        beyond = nearer ? beyond : s;
+        depth = nearer ? 0.5 * depth : off;
+    }
+#endif
+    float hit = near.tHigh + (near.tLow + s);
+    if (s > end || hit >= t) return false;
+    t = hit;
     return true;
 }
 
@@ -131,15 +158,15 @@ Surface surface$Shape($Shape solid, Ray ray, float t) {
     vec3 normal = steep > 1e-30 ? gradient / steep : -ray.direction;
 #if $SHAPE_ESTIMATED
     p -= free * normal;
+    // A cone that grazes a silhouette ends beside what faces away already: it sees the rim.
+    float facing = dot(normal, ray.direction);
+    if (free >= 0.0 ? facing > 0.0 : facing < 0.0) normal = normalize(normal - 1.001 * facing * ray.direction);
 #else
-    // Twice: by an edge the first step lands beside the body, on the plane of one face, the second on the other face.
+    // Twice: by an edge the first step lands beside the solid, on the plane of one face, the second on the other face.
     p -= free / max(steep, 0.5) * normal;
     vec4 beside = field$Shape(solid.at, p);
     p -= beside.w * beside.xyz / max(dot(beside.xyz, beside.xyz), 0.25);
 #endif
-    // A cone that grazes a silhouette ends beside what is turned away already: it sees the rim.
-    float away = dot(normal, ray.direction);
-    if (free >= 0.0 ? away > 0.0 : away < 0.0) normal = normalize(normal - 1.001 * away * ray.direction);
     Surface surface = bareSurface(solid.ball.xyz + p, normal, 0.0);
 #if IMAGES
     surface.uv = p.xz;

@@ -3,7 +3,7 @@
 // Error   below 0.03 of the exact Fresnel equations for dielectrics of index <= 1.5
 // Source  C. Schlick, An Inexpensive BRDF Model for Physically-based Rendering, 1994
 vec3 fresnel(vec3 f0, float cosine) {
-    float away = 1.0 - clamp(cosine, 0.0, 1.0);
-    float square = away * away;
-    return f0 + (1.0 - f0) * (square * square * away);
+    float grazing = 1.0 - clamp(cosine, 0.0, 1.0);
+    float square = grazing * grazing;
+    return f0 + (1.0 - f0) * (square * square * grazing);
 }

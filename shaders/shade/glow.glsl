@@ -1,5 +1,5 @@
 // Light around a point that lies in the way of a ray: color * clamp(strength / (softness + d²), 0, 1), where d is the
-// distance of the centre from the ray's line, or from its end where something stops it before: a body in front of the
+// distance of the centre from the ray's line, or from its end where something stops it before: a solid in front of the
 // sun is not glazed by the glow behind it.
 vec3 glowAlong(Ray ray, float t) {
     vec3 sum = vec3(0.0);

@@ -1,5 +1,5 @@
-// The share of a light's disc that is seen from a surface, in [0, 1]: no cosine, no material. `width` is what a pixel
-// covers of the surface there, in scene units.
+// The fraction of a light's disc that is seen from a surface, in [0, 1]: no cosine, no material. `width` is what a
+// pixel covers of the surface there, in scene units.
 #if SHADOWS
 #include "shadow/query.glsl"
 #for Model in SHADOW_MODEL

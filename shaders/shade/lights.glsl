@@ -9,6 +9,6 @@ struct Light {
 
 Light loadLight(int index) {
     int at = kLightBase + index * 2;
-    vec4 place = sceneTexel(at);
-    return Light(place.xyz, frame.lightRadius < 0.0 ? place.w : frame.lightRadius, sceneTexel(at + 1).rgb);
+    vec4 sphere = sceneTexel(at);
+    return Light(sphere.xyz, frame.lightRadius < 0.0 ? sphere.w : frame.lightRadius, sceneTexel(at + 1).rgb);
 }

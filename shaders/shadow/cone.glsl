@@ -1,14 +1,14 @@
-// The cone between a surface point and a light, and the share of the light that distances measured along it leave.
+// The cone between a surface point and a light, and the fraction of the light that distances measured along it leave.
 //
 // ShadowCone  axis from the centre of the surface sphere to that of the light; it touches both spheres (its radii are
 //             those of the discs where it does so, measured across the axis)
 // coneRadius    at t along the axis
 // coneDistance  what the scene leaves free there
-// shareOf       tau: the part of a unit disc that a half plane at signed distance r from its middle leaves, -1: none,
+// fractionOf    tau: the part of a unit disc that a half plane at signed distance r from its middle leaves, -1: none,
 //               1: all
 // Model       what stands in the way is a half plane, and of several things the nearest to the axis alone counts: the
-//             share is shareOf(least of distance / radius). Pointed, several and thin occluders break that; so do wide
-//             lights, since a cone that touches the surface at its start finds cos(alpha) there instead of 1
+//             fraction is fractionOf(least of distance / radius). Pointed, several and thin occluders break that; so do
+//             wide lights, since a cone that touches the surface at its start finds cos(alpha) there instead of 1
 // Source      the source document of one-ray soft shadows; docs/shadows.md
 #include "sdf/scene.glsl"
 
@@ -47,7 +47,7 @@ float arcsine(float x) {
     return x < 0.0 ? -angle : angle;
 }
 
-float shareOf(float r) {
+float fractionOf(float r) {
     r = clamp(r, -1.0, 1.0);
     return clamp(0.5 + (r * sqrt(1.0 - r * r) + arcsine(r)) / 3.14159265358979, 0.0, 1.0);
 }

@@ -1,10 +1,10 @@
-// Cone march whose error is epsilon of the share at every step: the marched cone is the one that leaves epsilon less.
+// Cone march whose error is epsilon of the fraction at every step: the marched cone leaves epsilon less.
 #include "shadow/cone.glsl"
-#include "shadow/share_inverse.glsl"
+#include "shadow/fraction_inverse.glsl"
 
 float met(float relative, float marched) { return relative; }
-float narrower(float nearest) { return shareInverse(shareOf(nearest) - frame.coneError); }
-bool dark(float nearest) { return shareOf(nearest) <= frame.coneError; }
+float narrower(float nearest) { return fractionInverse(fractionOf(nearest) - frame.coneError); }
+bool dark(float nearest) { return fractionOf(nearest) <= frame.coneError; }
 #include "shadow/march.glsl"
 
-float visibility(ShadowQuery query) { return shareOf(nearestAlong(coneOf(query))); }
+float visibility(ShadowQuery query) { return fractionOf(nearestAlong(coneOf(query))); }

@@ -1,6 +1,6 @@
 // The linear march with longer steps: a convex object lies behind the plane across the way to its nearest point, and
-// the marched cone may go on until it touches that plane. Kinds that are not convex keep their distance; so do all once
-// the marched cone is thinner than nothing.
+// the marched cone may continue until it touches that plane. Kinds that are not convex keep their distance; so do all
+// once the marched cone is thinner than nothing.
 //
 // convexStep  how far the cone of relative radius `marched` can go from `at` without touching an object, and the
 //             distance of the nearest
@@ -58,5 +58,5 @@ float visibility(ShadowQuery query) {
         t += max(step, max(free - radius * marched, 0.0) / (1.0 + abs(marched * cone.slope)));
         if (t >= cone.reach) break;
     }
-    return shareOf(nearest);
+    return fractionOf(nearest);
 }

@@ -1,4 +1,4 @@
-// What a body covers of a light's disc, as seen from a surface point, and how the covers of several bodies are united.
+// What a solid covers of a light's disc, as seen from a surface point, and how the covers of several solids are united.
 //
 // The disc is the unit disc of points q, q being the direction axes * vec3(slope * q, 1) from the apex.
 //
@@ -6,8 +6,8 @@
 // across       a vector from the apex as a point of the cone's own space, where the light's disc lies at z = 1 and (x,
 //              y) / z is q
 // passesBy     whether the cone passes a ball by
-// Cover        how much of the disc is covered, and between which q.x in each of 16 rows; a convex body covers a
-//              stretch
+// Cover        how much of the disc is covered, and between which q.x in each of 16 rows; a convex solid covers an
+//              interval
 // halfDisc     the cover of all q with dot(normal, q) > level
 // Shade        the union of covers: its area, and a mask of 256 points of the disc, 16 in each row
 // unite        adds a cover. What it has in common with those before follows from both areas and the points' odds:
@@ -33,7 +33,7 @@ struct LightCone {
 };
 
 struct Cover {
-    float area;  // of the unit disc's pi; negative: the apex lies inside of the body
+    float area;  // of the unit disc's pi; negative: the apex lies inside of the solid
     mat4 low;  // a row is bare where low > high
     mat4 high;
 };
@@ -113,8 +113,8 @@ float countOf(Points points) {
     return float((sum & 0xFFFFu) + (sum >> 16u));
 }
 
-// What two parts of the disc of known areas have in common, all as shares of it, whose odds of lying in both are those
-// of the mask's points: of all in both or in neither against those in one only.
+// What two parts of the disc of known areas have in common, all as fractions of it, whose odds of lying in both are
+// those of the mask's points: of all in both or in neither against those in one only.
 float sharedPart(float a, float b, float both, float neither, float one, float other) {
     float most = min(a, b);
     float least = max(a + b - 1.0, 0.0);
@@ -140,4 +140,4 @@ void unite(inout Shade shade, float area, Points points) {
 
 void unite(inout Shade shade, Cover cover) { unite(shade, cover.area, pointsOf(cover)); }
 
-float bareShare(Shade shade) { return clamp(1.0 - max(shade.area, shade.largest) / kPi, 0.0, 1.0); }
+float bareFraction(Shade shade) { return clamp(1.0 - max(shade.area, shade.largest) / kPi, 0.0, 1.0); }

@@ -1,9 +1,9 @@
 // Soft shadow by sphere traces to points of the light's disc: Monte Carlo where a scene is known by its distances only,
 // as the source document has it beside its cones.
 //
-// kMet    a trace has met something where less than this share of the surface sphere's radius is free, or what float32
-//         resolves of the coordinates. A smaller one lessens no error; 0.1 adds a tenth to that of one sample in the
-//         scene `simple`
+// kMet    a trace has met something where less than this fraction of the surface sphere's radius is free, or what
+//         float32 resolves of the coordinates. A smaller one lessens no error; 0.1 adds a tenth to that of one sample
+//         in the scene `simple`
 // Error   that of few samples (shadow/samples.glsl). Besides, traces start at the surface sphere's centre as cones do,
 //         half a pixel above the surface, which moves shadows: .013 RMSE in `simple` at 160x120, .004 at 640x480
 //         (docs/shadows.md)

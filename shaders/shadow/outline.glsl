@@ -1,18 +1,18 @@
 // What a convex outline covers of a light's disc: the exact area of its polygon, and of the arcs over the polygon's
 // edges.
 //
-// A body's outline is drawn in the cone's space, where the light's disc is z = 1 and |(x, y)| <= z: startOutline()
+// A solid's outline is drawn in the cone's space, where the light's disc is z = 1 and |(x, y)| <= z: startOutline()
 // where it begins, edgeTo() from corner to corner, closeOutline(). What lies behind the apex or beyond the disc is cut
-// away on the way.
+// off on the way.
 //
-// coverRims   of a body between two round rims, joined by two straight edges: what cylinder, capsule and cone are
+// coverRims   of a solid between two round rims, joined by two straight edges: what cylinder, capsule and cone are
 // Error       polygons: roundings. Arcs: parabolas over steps of 23° or half the disc: .001 of the disc
 // Source      area of edge PQ within the circle at P', Q': (angle(P, P') + P' x Q' + angle(Q', Q)) / 2; the angle alone
 //             where it passes the circle by
 // Limits      convex. A rim that reaches beyond the disc is cut along a chord
 #include "shadow/cover.glsl"
 
-const float kNearest = 1e-5; // nearer to the apex than that share of the light's distance nothing is seen
+const float kNearest = 1e-5; // nearer to the apex than that fraction of the light's distance nothing is seen
 
 struct Outline {
     float area; // signed
@@ -28,10 +28,12 @@ Outline startOutline(vec3 corner) { return Outline(0.0, corner, vec2(0.0), vec2(
 
 float turned(vec2 a, vec2 b) { return a.x * b.y - a.y * b.x; }
 
-// A turn (cosine, sine) in a unit that no product overflows; none where both are 0.
-vec2 unitTurn(vec2 turn) { return turn == vec2(0.0) ? vec2(1.0, 0.0) : turn / max(abs(turn.x), abs(turn.y)); }
+// A rotation (cosine, sine) in a unit that no product overflows; none where both are 0.
+vec2 unitRotation(vec2 rotation) {
+    return rotation == vec2(0.0) ? vec2(1.0, 0.0) : rotation / max(abs(rotation.x), abs(rotation.y));
+}
 
-// atan(v.y, v.x), 0 of nothing. SwiftShader's own is off by pi for some turns of about half a circle.
+// atan(v.y, v.x), 0 of nothing. SwiftShader's own is off by pi for some angles of about half a circle.
 float angleOf(vec2 v) {
     float fromAxis = 2.0 * atan(v.y / max(length(v) + abs(v.x), 1e-30));
     return v.x >= 0.0 ? fromAxis : (v.y >= 0.0 ? kPi : -kPi) - fromAxis;
@@ -52,10 +54,10 @@ void draw(inout Outline outline, vec2 from, vec2 to, float bulge) {
     float in0 = meets ? clamp(foot - root, 0.0, 1.0) : 0.0;
     float in1 = meets ? clamp(foot + root, 0.0, 1.0) : 0.0;
     // Not turned(p, a) and so on: far out fused multiply-adds leave that of equal points a whole unit.
-    vec2 a = unitTurn(vec2(dot(p, p + in0 * d), in0 * off));
-    vec2 b = unitTurn(vec2(dot(p + in1 * d, q), (1.0 - in1) * off));
-    vec2 turn = vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
-    float signedArea = 0.5 * (angleOf(turn) + (in1 - in0) * off);
+    vec2 a = unitRotation(vec2(dot(p, p + in0 * d), in0 * off));
+    vec2 b = unitRotation(vec2(dot(p + in1 * d, q), (1.0 - in1) * off));
+    vec2 rotation = vec2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
+    float signedArea = 0.5 * (angleOf(rotation) + (in1 - in0) * off);
     outline.area += (swapped ? -signedArea : signedArea) +
         bulge * (in1 * in1 * (3.0 - 2.0 * in1) - in0 * in0 * (3.0 - 2.0 * in0));
     float rise = abs(d.y) < 1e-12 ? 1e-12 : d.y;
@@ -119,7 +121,7 @@ Cover coverRims(Rim one, Rim other, bool alone) {
     const int kMostSteps = 64;
     const float kWidest = 0.4;
     vec3 back = onRim(one, one.from);
-    vec3 away = onRim(other, other.from);
+    vec3 over = onRim(other, other.from);
     Outline outline = startOutline(back);
     float done = 0.0;
     int part = 0; // 0: first rim, 1: over to the second, 2: second rim, 3: back
@@ -135,7 +137,7 @@ Cover coverRims(Rim one, Rim other, bool alone) {
         float step = min(clamp(room / max(length(along), 1e-12), 0.004, kWidest), left);
         vec3 to = onRim(rim, phi + sign(rim.sweep) * step);
         vec3 middle = onRim(rim, phi + 0.5 * sign(rim.sweep) * step);
-        if (straight) to = part == 1 ? away : back;
+        if (straight) to = part == 1 ? over : back;
         vec2 p = at.xy / max(at.z, kNearest);
         vec2 chord = to.xy / max(to.z, kNearest) - p;
         vec2 toMiddle = middle.xy / max(middle.z, kNearest) - p;

@@ -6,9 +6,9 @@
 // lightRadius  0: a point
 // pixelRadius  of the surface sphere: half of what a pixel covers there. It touches the surface and nothing else
 //
-// Every model is one file shaders/shadow/MODEL.glsl with float visibility(ShadowQuery): the share of the light's disc
-// that is seen. The disc lies about the light's centre across the ray, and its rim on the cone that touches the light's
-// sphere.
+// Every model is one file shaders/shadow/MODEL.glsl with float visibility(ShadowQuery): the fraction of the light's
+// disc that is seen. The disc lies about the light's centre across the ray, and its rim on the cone that touches the
+// light's sphere.
 struct ShadowQuery {
     Ray ray;
     vec3 normal;

@@ -1,9 +1,9 @@
-// What a body that only estimates its distance covers of a light's disc: by rays, one to a point of each of the disc's
+// What a solid that only estimates its distance covers of a light's disc: by rays, one to a point of each of the disc's
 // seven parts that varies from pixel to pixel. Where two opposite ones agree the others are taken to do so, too.
 //
 // Error   a Mandelbulb: .03 of the disc on average (RMSE), as noise (docs/shadows.md); a part the two miss is missed
-// Why     an estimate tells the way past a body too short, and a march along a cone that grazes one takes many steps
-//         for an answer that is wrong; rays through the body's ball need few
+// Why     an estimate tells the way past a solid too short, and a march along a cone that grazes one takes many steps
+//         for an answer that is wrong; rays through the solid's ball need few
 #include "shadow/pixel_shift.glsl"
 
 // Two opposite parts first.
@@ -13,11 +13,11 @@ int partInTurn(int i) { return i < 2 ? 1 + 3 * i : (i == 2 ? 0 : (i < 5 ? i - 1 
 #if $SHAPE_ESTIMATED
 bool hides$Shape(int index, ShadowQuery query, LightCone cone, vec2 q) {
     vec3 along = vec3(cone.slope * q, 1.0);
-    float stretch = length(along);
+    float secant = length(along);
     Ray ray = query.ray;
-    ray.direction = cone.axes * along / stretch;
+    ray.direction = cone.axes * along / secant;
     if (ray.self >= 0 && dot(ray.direction, query.normal) <= 0.0) return false; // the horizon hides it already
-    float t = cone.distance * stretch;
+    float t = cone.distance * secant;
     return meets$Shape(index, ray, t);
 }
 

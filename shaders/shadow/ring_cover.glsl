@@ -1,14 +1,14 @@
 // What a ring, the points at most `minor` from a circle of radius 1, covers of a light's disc: 64 rays, one amid each
-// four points of the mask, are held against the circle.
+// four points of the mask, are tested against the circle.
 //
 // Ring        its apex is the cone's, from the ring's middle; all its lengths and the cone's distance are in units of
 //             the circle's radius
-// ringPasses  where a ray passes the circle before and after it is nearest to the axis: on either side of one stretch
+// ringPasses  where a ray passes the circle before and after it is nearest to the axis: on either side of one interval
 //             about the axis the squared distance along the ray is convex (primitive/torus.glsl). Laguerre's steps,
 //             which where the ray all but touches the circle and three roots meet still take two thirds of the way,
 //             come to its least from without
 // uniteRing   adds the cover. horizon: the surface's normal; own: it is the ring's
-// Error       of the disc: .01, RMSE .0013; from places nearer to the ring than 1/50 of its tube's radius .015
+// Error       of the disc: 0.01, RMSE 0.0013; from points nearer to the ring than 1/50 of its tube's radius 0.015
 //             (tests/shader/ring_cover_test.cpp)
 // Why         a cell of the disc is hidden as far as a straight strip, the tube where the ray passes it, reaches into
 //             it. That is right to second order and knows neither holes, nor folds of the outline, nor where the apex
@@ -65,38 +65,38 @@ vec2 ringPasses(Ring ring, vec3 d) {
     return s;
 }
 
-// What the tube hides where the ray amid the cells, `stretch` long for each unit along the cone's axis, passes the
+// What the tube hides where the ray amid the cells, `secant` long for each unit along the cone's axis, passes the
 // circle at s.
-vec4 tubeOver(Ring ring, LightCone cone, vec3 d, float stretch, vec2 middle, float s, Cells cells) {
+vec4 tubeOver(Ring ring, LightCone cone, vec3 d, float secant, vec2 middle, float s, Cells cells) {
     vec3 across = ring.across + s * (d - dot(d, ring.axis) * ring.axis);
     float fromAxis = length(across);
     vec3 outward = across / max(fromAxis, 1e-20);
     vec3 off = (fromAxis - 1.0) * outward + (ring.z + s * dot(d, ring.axis)) * ring.axis;
-    float away = length(off);
+    float gap = length(off);
     vec3 beside = cross(cross(ring.axis, outward), d);
     beside *= dot(off, beside) < 0.0 ? -1.0 : 1.0;
-    vec3 normal = away < 0.05 * ring.minor ? beside / max(length(beside), 1e-20) : off / away;
+    vec3 normal = gap < 0.05 * ring.minor ? beside / max(length(beside), 1e-20) : off / gap;
     vec2 facing = vec2(dot(normal, cone.axes[0]), dot(normal, cone.axes[1]));
     // Sines of the angles from the ray to either side of the ball about the circle's point, also where the ray recedes.
-    float square = s * s + away * away;
+    float square = s * s + gap * gap;
     float tangent = sqrt(max(square - ring.minor * ring.minor, 0.0) + ring.uncertain);
-    vec2 inside = (ring.minor * s + vec2(-tangent, tangent) * away) * (stretch / (cone.slope * max(square, 1e-20)));
+    vec2 inside = (ring.minor * s + vec2(-tangent, tangent) * gap) * (secant / (cone.slope * max(square, 1e-20)));
     vec4 rise = riseTo(cells, middle, facing);
     vec4 wide = riseWithin(cells, facing);
     vec4 hidden = clamp(0.5 + (inside.x - rise) / wide, 0.0, 1.0) + clamp(0.5 + (inside.y + rise) / wide, 0.0, 1.0)
         - 1.0;
-    float entry = s - sqrt(max(ring.minor * ring.minor - away * away, 0.0));
-    return entry < cone.distance * stretch ? max(hidden, 0.0) : vec4(0.0);
+    float entry = s - sqrt(max(ring.minor * ring.minor - gap * gap, 0.0));
+    return entry < cone.distance * secant ? max(hidden, 0.0) : vec4(0.0);
 }
 
 vec4 ringOver(Ring ring, LightCone cone, Cells cells) {
     vec2 middle = vec2(dot(cells.x, vec4(0.25)), dot(cells.y, vec4(0.25)));
     vec3 along = vec3(cone.slope * middle, 1.0);
-    float stretch = length(along);
-    vec3 d = cone.axes * along / stretch;
+    float secant = length(along);
+    vec3 d = cone.axes * along / secant;
     vec2 s = ringPasses(ring, d);
-    return max(tubeOver(ring, cone, d, stretch, middle, s.x, cells),
-        tubeOver(ring, cone, d, stretch, middle, s.y, cells));
+    return max(tubeOver(ring, cone, d, secant, middle, s.x, cells),
+        tubeOver(ring, cone, d, secant, middle, s.y, cells));
 }
 
 vec4 belowHorizon(LightCone cone, vec3 horizon, Cells cells) {
@@ -113,7 +113,7 @@ vec2 ballSpan(float off, float ahead, float radius, float slope) {
 }
 
 void uniteRing(Ring ring, LightCone cone, vec3 horizon, bool own, inout Shade shade) {
-    const uvec4 kPlaces = uvec4(0u, 1u, 0u, 1u);
+    const uvec4 kColumns = uvec4(0u, 1u, 0u, 1u);
     Points points = Points(uvec4(0u), uvec4(0u));
     vec2 counts = vec2(0.0); // all points, those that were bare
     vec3 center = -ring.apex * cone.axes;
@@ -136,13 +136,13 @@ void uniteRing(Ring ring, LightCone cone, vec3 horizon, bool own, inout Shade sh
         int from = int(clamp(floor(2.0 + (xs.x > 0.0 ? wide : narrow) * xs.x), 0.0, 8.0));
         int to = reached ? int(clamp(ceil(6.0 + (xs.y > 0.0 ? narrow : wide) * xs.y), 0.0, 8.0)) : 0;
         for (int j = from; j < to; ++j) { // two columns
-            uvec4 place = 2u * uint(j) + kPlaces;
-            cells.x = cells.width * (vec4(place) - 7.5 + shift.xxyy);
+            uvec4 column = 2u * uint(j) + kColumns;
+            cells.x = cells.width * (vec4(column) - 7.5 + shift.xxyy);
             vec4 hidden = ringOver(ring, cone, cells);
             vec4 below = own ? belowHorizon(cone, horizon, cells) : vec4(0.0);
-            vec4 bare = mix(vec4(1u - ((before >> place) & 1u)), vec4(1.0), vec4(greaterThan(below, vec4(0.5))));
+            vec4 bare = mix(vec4(1u - ((before >> column) & 1u)), vec4(1.0), vec4(greaterThan(below, vec4(0.5))));
             counts += vec2(dot(hidden, vec4(1.0)), dot(max(hidden - below, 0.0), bare));
-            found |= uvec4(greaterThan(hidden, vec4(0.5))) << place;
+            found |= uvec4(greaterThan(hidden, vec4(0.5))) << column;
         }
         uvec2 rows = (found.xz | found.yw) << half16;
         uvec4 set = odd ? uvec4(0u, 0u, rows) : uvec4(rows, 0u, 0u);

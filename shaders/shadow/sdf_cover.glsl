@@ -5,7 +5,7 @@
 // hide$Shape  adds the shape's cover
 // thick$Shape how far behind its near side a shape ends at the latest, across a direction at a point: a plane gets a
 // far side,
-//             so that a small body hides no more than itself
+//             so that a small solid hides no more than itself
 // Source      shadows.md's sub-cones; the least q by a secant between two steps where it stops falling
 // Limits      of each cone only the nearest approach counts
 #if OUTPUT == STEPS
@@ -46,16 +46,16 @@ Approach approach$Shape($Shape shape, vec3 apex, vec3 direction, float end, floa
         if (counts && q < nearest.q) {
             nearest = Approach(f.xyz, q, t);
         }
-        bool turns = !between && i > 0 && lastFall < 0.0 && fall > 0.0;
+        bool bracketed = !between && i > 0 && lastFall < 0.0 && fall > 0.0;
         if (!between) ahead = t;
         float secant = mix(lastT, t, lastFall / min(lastFall - fall, -1e-20));
         float step = max(max(abs(f.w), 0.3 * slope * t), 1e-3 * ball.w);
         float next = between ? ahead + step : t + step;
         lastT = t;
         lastFall = between ? max(lastFall, 1e-20) : fall;
-        between = turns;
+        between = bracketed;
         // The last step ends at the light itself.
-        t = turns ? secant : (t < end ? min(next, end) : next + end);
+        t = bracketed ? secant : (t < end ? min(next, end) : next + end);
     }
     return nearest;
 }
@@ -68,9 +68,9 @@ void hide$Shape(int index, ShadowQuery query, LightCone cone, inout Shade shade)
     for (int part = 0; part < 7; ++part) {
         vec2 middle = partMiddle(part);
         vec3 along = vec3(cone.slope * middle, 1.0);
-        float stretch = length(along);
-        vec3 direction = cone.axes * along / stretch;
-        Approach nearest = approach$Shape(shape, cone.apex, direction, cone.distance * stretch, slope);
+        float secant = length(along);
+        vec3 direction = cone.axes * along / secant;
+        Approach nearest = approach$Shape(shape, cone.apex, direction, cone.distance * secant, slope);
         // The plane through the apex at q's own angle, whose normal is the gradient's part across the cone's axis.
         vec3 beside = nearest.gradient - dot(nearest.gradient, direction) * direction;
         float q = clamp(nearest.q, -1.0, 1.0);

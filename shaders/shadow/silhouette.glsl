@@ -2,7 +2,7 @@
 // shape is convex: its cover's area is worked out, and covers that overlap are united over a mask (shadow/cover.glsl).
 // A shape that is not adds its cover to the union itself (uniteTYPE).
 //
-// The surface's own body hides what is below the horizon and, where it is convex, nothing else. A light without a
+// The surface's own solid hides what is below the horizon and, where it is convex, nothing else. A light without a
 // radius gets the disc that a pixel covers, so that its shadows have edges one pixel wide.
 //
 // Error   a single caster: shadow/round_cover.glsl, outline.glsl and ring_cover.glsl; several that overlap: cover.glsl;
@@ -34,7 +34,7 @@ LightCone coneTo(ShadowQuery query) {
 #endif
 #for Shape in CASTERS
 #if $SHAPE_CONVEX
-// From inside of a body: the whole disc, if the light is not in there, too.
+// From inside of a solid: the whole disc, if the light is not in there, too.
 void hideAll$Shape(int index, ShadowQuery query, inout Shade shade) {
     float t = query.distance;
     if (meets$Shape(index, query.ray, t)) shade.largest = kPi;
@@ -61,7 +61,7 @@ const int kMasked$Shape = k$ShapeLoose;
 const int kMasked$Shape = k$ShapeCasters;
 #endif
 #if $SHAPE_BOUNDED
-// Covers are asked of what the cone does not pass by, and of nothing else. A ray that leaves its own convex body never
+// Covers are asked of what the cone does not pass by, and of nothing else. A ray that leaves its own convex solid never
 // comes back.
 bool counts$Shape(int index, int self, LightCone cone) {
     return index != self && !passesBy(cone, ball$Shape(load$Shape(k$ShapeBase + index * k$ShapeTexels)));
@@ -120,5 +120,5 @@ float visibility(ShadowQuery query) {
         if (i != self$Shape) hide$Shape(i, query, cone, shade);
 #endif
 #endfor
-    return bareShare(shade);
+    return bareFraction(shade);
 }

@@ -1,11 +1,11 @@
-// What is read at fixed places, read once before all loops, for llvmpipe: it reads each value for every lane of its
+// What is read at fixed addresses, read once before all loops, for llvmpipe: it reads each value for every lane of its
 // own, a lane at a time, though it be the same for all, in every iteration of a loop. A read that has been made before
 // is not made again (0.8 of the instructions of `pro`). On a GPU such reads are free, and the values would hold
 // registers all the way.
 //
 // preloads  the sum of what it reads: it has to be of use, or compilers leave the reads out
 vec4 preload() {
-    const int kMostLooped = 4; // of more a compiler keeps the loop: their places are fixed no longer
+    const int kMostLooped = 4; // of more a compiler keeps the loop: their addresses are fixed no longer
     vec4 sum = vec4(frame.threshold, frame.lightRadius, frame.depth, frame.light) + vec4(frame.zero);
 #if !CUBEMAP
     sum += frame.background;

@@ -271,12 +271,12 @@ const Mutant kMutants[] = {
     {"triangleOfEdgesOnly", "trianglefat", "primitive/triangle.glsl", "over ? vec3(0.0) : offRim", "offRim"},
     {"torusWithoutAHeight", "torusquarter", "primitive/torus.glsl", "beyond * outward + along * torus.axis;",
      "beyond * outward;"},
-    {"boxWithoutAnInside", "boxfat", "primitive/box.glsl", "away + depth)", "away)"},
+    {"boxWithoutAnInside", "boxfat", "primitive/box.glsl", "gap + depth)", "gap)"},
     {"boxOfOneOctant", "boxfat", "primitive/box.glsl", "side * safeDirection", "safeDirection"},
     {"cylinderOfOneEnd", "cylinderfat", "primitive/cylinder.glsl", "top * nearest.y", "nearest.y"},
     {"capsuleWithoutEnds", "capsulefat", "primitive/capsule.glsl", "-axis.halfLength, axis.halfLength)", "-1e9, 1e9)"},
-    {"coneWithoutABase", "conefat", "primitive/cone.glsl", "inside ? max(above, -fromRim.y) : away",
-     "inside ? above : away"},
+    {"coneWithoutABase", "conefat", "primitive/cone.glsl", "inside ? max(above, -fromRim.y) : gap",
+     "inside ? above : gap"},
 };
 
 class DistanceMutant : public testing::TestWithParam<Mutant> {};

@@ -207,7 +207,7 @@ const Mutant kMutants[] = {
      "    vec3 low = optimisationBarrier(direction - high);", "    vec3 low = vec3(0.0);"},
     {"cylinderByTheTextbooksDiscriminant", "cylinderthin", RayClass::Grazing, 3, "primitive/convex.glsl",
      "    float discriminant = a * (radius - l) * (radius + l);",
-     "    float discriminant = b * b - a * (away * away - radius * radius);"},
+     "    float discriminant = b * b - a * (radial * radial - radius * radius);"},
 };
 
 class IntersectMutant : public testing::TestWithParam<Mutant> {};

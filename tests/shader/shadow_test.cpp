@@ -17,7 +17,7 @@ using namespace test;
 /// Answers of a function of the shader for `x` in place of a model's, which gets it as the light's radius.
 std::vector<double> answersOf(const std::string& expression, const std::vector<double>& xs) {
     const std::string text =
-        "// Test\n#include \"shadow/cone.glsl\"\n#include \"shadow/share_inverse.glsl\"\n"
+        "// Test\n#include \"shadow/cone.glsl\"\n#include \"shadow/fraction_inverse.glsl\"\n"
         "float visibility(ShadowQuery query) { float x = query.lightRadius; ShadowCone cone = coneOf(query); return " +
         expression + "; }\n";
     const ShaderFile file{"shadow/cone_base.glsl", text};
@@ -30,7 +30,8 @@ std::vector<double> answersOf(const std::string& expression, const std::vector<d
 TEST(LightFraction, IsTauAndItsInverse) {
     std::vector<double> xs;
     for (int i = 0; i <= 2000; ++i) xs.push_back(i / 1000.0);
-    const auto fractions = answersOf("shareOf(x - 1.0)", xs), back = answersOf("shareOf(shareInverse(0.5 * x))", xs);
+    const auto fractions = answersOf("fractionOf(x - 1.0)", xs),
+               back = answersOf("fractionOf(fractionInverse(0.5 * x))", xs);
     ASSERT_EQ(fractions.size(), xs.size());
     for (std::size_t i = 0; i < xs.size(); ++i) {
         EXPECT_NEAR(fractions[i], tau(xs[i] - 1), 1e-6) << xs[i] - 1;

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace gnomon {
 namespace {
 
@@ -22,6 +24,33 @@ TEST(Problem, LeavesOutWhatItDoesNotKnow) {
 
 TEST(Problem, StandsOneALineAmongOthers) {
     EXPECT_EQ(toString(Problems{{"a", 1, "", "x", ""}, {"b", 2, "", "y", ""}}), "a:1: x\nb:2: y\n");
+}
+
+TEST(Problems, BeyondAScreenAreCounted) {
+    const Problem one{"f", 1, "", "wrong", ""};
+    EXPECT_EQ(screenful(Problems(kMostProblems, one)).size(), kMostProblems);
+    const Problems some = screenful(Problems(300, one));
+    ASSERT_EQ(some.size(), kMostProblems);
+    EXPECT_EQ(toString(some.back()), "and 281 more problems");
+    const std::string text = toString(Problems(300, one));
+    EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), int(kMostProblems));
+}
+
+TEST(Problems, OfOneInputAreCountedBeyondAScreen) {
+    for (const std::size_t count : {0, 1, 19, 20, 21, 5000}) {
+        Problems kept;
+        {
+            ProblemCounter counter("f", kept);
+            for (std::size_t i = 0; i < count; ++i) counter.add(1, "", "wrong");
+            EXPECT_EQ(counter.count(), count);
+        }
+        EXPECT_EQ(kept.size(), std::min(count, kMostProblems));
+        const std::size_t more = count - 19;
+        if (count >= kMostProblems) {
+            EXPECT_EQ(toString(kept.back()),
+                      "f: and " + std::to_string(more) + " more problem" + (more == 1 ? "" : "s"));
+        }
+    }
 }
 
 TEST(Number, IsShownWithoutTrailingZeros) {

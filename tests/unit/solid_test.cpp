@@ -110,6 +110,10 @@ TEST(Solid, BadOnesAreRefusedWithAReason) {
                  "count": [2, 2, 1]})")
                   .find("period above 0"),
               std::string::npos);
+    EXPECT_NE(problemsOf(R"("repetition": {"of": {"sphere": {"center": [0, 0, 0], "radius": 3}}, "period": [1, 1, 1],
+                           "count": [9, 9, 9]})")
+                  .find("copies that reach over 7 x 7 x 7 of one another"),
+              std::string::npos);
     EXPECT_NE(problemsOf(R"("offset": {"by": 1})").find("missing key \"of\""), std::string::npos);
     EXPECT_NE(problemsOf(R"("mandelbulb": {"center": [0, 0, 0], "radius": 1, "power": 1.5, "iterations": 4})")
                   .find("power 1.5"),

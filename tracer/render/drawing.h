@@ -20,11 +20,13 @@ struct Drawing {
 
     explicit operator bool() const {
         return scene && trace && !fullScreen.empty() &&
-               std::ranges::all_of(fullScreen, [](const auto& pass) { return pass && pass->program; });
+               std::all_of(fullScreen.begin(), fullScreen.end(),
+                           [](const auto& pass) { return pass && pass->program; });
     }
     bool canDraw() const {
-        return *this && trace.canDraw() &&
-               std::ranges::all_of(fullScreen, [](const auto& pass) { return pass->state == CompileState::Ready; });
+        return *this && trace.canDraw() && std::all_of(fullScreen.begin(), fullScreen.end(), [](const auto& pass) {
+            return pass->state == CompileState::Ready;
+        });
     }
 };
 

@@ -67,8 +67,8 @@ Plan planFor(const PreparedScene& prepared, const Settings& settings, const gl::
 
 /// Both go through the same full-screen passes.
 bool passesAlike(const Settings& a, const Settings& b) {
-    return std::ranges::all_of(kFullScreenTable,
-                               [&](const FullScreenRow& row) { return row.wanted(a) == row.wanted(b); });
+    return std::all_of(kFullScreenTable.begin(), kFullScreenTable.end(),
+                       [&](const FullScreenRow& row) { return row.wanted(a) == row.wanted(b); });
 }
 
 } // namespace
@@ -118,7 +118,8 @@ struct Renderer::Impl {
         Progress progress{.wanted = bool(wanted.scene)};
         if (!wanted.scene) return progress;
         progress.images = wanted.scene->images().fraction(frame.pictures);
-        progress.failed = !wanted.trace.began() || std::ranges::count(wanted.fullScreen, nullptr) > 0;
+        progress.failed =
+            !wanted.trace.began() || std::count(wanted.fullScreen.begin(), wanted.fullScreen.end(), nullptr) > 0;
         if (!wanted) return progress;
         const double fullScreenReady = pollFullScreen(progress, problems);
         const CompileState traced = wanted.trace.poll(

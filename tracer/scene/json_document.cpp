@@ -101,11 +101,20 @@ bool followsComma(std::string_view text, std::size_t place) {
     return before != std::string_view::npos && text[before] == ',';
 }
 
+/// `0,8` where the 8 at `place` is no key; empty where there is none.
+std::string_view decimalComma(std::string_view text, std::size_t place) {
+    const auto digit = [&](std::size_t at) { return std::isdigit(static_cast<unsigned char>(text[at])); };
+    const std::string_view after = wordAt(text, place);
+    const std::size_t begin = std::size_t(after.data() - text.data());
+    if (begin < 2 || !digit(begin) || text[begin - 1] != ',' || !digit(begin - 2)) return {};
+    const std::size_t before = std::size_t(wordAt(text, begin - 2).data() - text.data());
+    return text.substr(before, begin + after.size() - before);
+}
+
 /// Receives the parser's events (the names are nlohmann's) and grows the tree.
 class TreeBuilder {
   public:
-    TreeBuilder(std::string_view text, const std::string& file, Problems& problems)
-        : text_(text), file_(file), problems_(problems) {}
+    TreeBuilder(std::string_view text, ProblemCounter& problems) : text_(text), problems_(problems) {}
 
     bool parse() {
         const CountingIterator begin(text_.data(), &taken_), end(text_.data() + text_.size(), &taken_);
@@ -199,8 +208,11 @@ class TreeBuilder {
         for (const JsonValue& member : object.children) {
             const auto [first, isNew] = lines.emplace(member.key, member.keyLine);
             if (isNew) continue;
-            report(member.keyLine, pathOfInnermost(), "duplicate key " + inQuotes(member.key),
-                   "line " + std::to_string(first->second) + " has it already: remove one");
+            if (!problems_.keeps())
+                problems_.countOne();
+            else
+                report(member.keyLine, pathOfInnermost(), "duplicate key " + inQuotes(member.key),
+                       "line " + std::to_string(first->second) + " has it already: remove one");
         }
     }
 
@@ -223,6 +235,10 @@ class TreeBuilder {
         const std::string_view word = wordAt(text_, place);
         if (namesNoNumber(word))
             return report(lineNow(), "", inQuotes(word) + " is not a number that JSON knows", "use a finite number");
+        const bool inObject = !open_.empty() && open_.back()->kind == Kind::Object;
+        if (const std::string_view number = decimalComma(text_, place); inObject && !number.empty())
+            return report(lineNow(), "", inQuotes(number) + " is not a number that JSON knows",
+                          "write a decimal point, as 0.8");
         if (followsComma(text_, place))
             return report(lineNow(), "", "a comma stands before " + inQuotes(word) + " with nothing behind it",
                           "remove the comma");
@@ -244,12 +260,11 @@ class TreeBuilder {
     }
 
     void report(int line, std::string path, std::string what, std::string remedy) {
-        problems_.push_back({file_, line, std::move(path), std::move(what), std::move(remedy)});
+        problems_.add(line, std::move(path), std::move(what), std::move(remedy));
     }
 
     std::string_view text_;
-    const std::string& file_;
-    Problems& problems_;
+    ProblemCounter& problems_;
 
     std::size_t taken_ = 0;   ///< characters the parser has read
     std::size_t counted_ = 0; ///< characters whose newlines are in `line_`
@@ -292,23 +307,28 @@ std::string_view describe(JsonValue::Kind kind) {
     return "";
 }
 
-std::optional<JsonValue> parseJson(std::string_view text, const std::string& file, Problems& problems) {
+std::optional<JsonValue> parseJson(std::string_view text, ProblemCounter& problems) {
     if (text.size() > kMaxJsonBytes) {
-        problems.push_back({file, 0, "",
-                            "the file has " + std::to_string(text.size()) + " bytes; at most " +
-                                std::to_string(kMaxJsonBytes) + " are read",
-                            "use a smaller scene"});
+        problems.add(0, "",
+                     "the file has " + std::to_string(text.size()) + " bytes; at most " +
+                         std::to_string(kMaxJsonBytes) + " are read",
+                     "use a smaller scene");
         return std::nullopt;
     }
     // The parser takes a zero byte for the end of its input.
     if (const std::size_t zero = text.find('\0'); zero != std::string_view::npos) {
         const int line = 1 + int(std::count(text.begin(), text.begin() + std::ptrdiff_t(zero), '\n'));
-        problems.push_back({file, line, "", "the file holds a zero byte: it is not a text file", "save it as UTF-8"});
+        problems.add(line, "", "the file holds a zero byte: it is not a text file", "save it as UTF-8");
         return std::nullopt;
     }
-    TreeBuilder builder(text, file, problems);
+    TreeBuilder builder(text, problems);
     if (!builder.parse()) return std::nullopt;
     return builder.takeRoot();
+}
+
+std::optional<JsonValue> parseJson(std::string_view text, const std::string& file, Problems& problems) {
+    ProblemCounter counter(file, problems);
+    return parseJson(text, counter);
 }
 
 } // namespace gnomon

@@ -41,6 +41,7 @@ inline constexpr std::size_t kMaxJsonBytes = 4 << 20;
 inline constexpr std::size_t kMaxJsonDepth = 64;
 inline constexpr std::size_t kMaxJsonValues = 1'000'000;
 
+std::optional<JsonValue> parseJson(std::string_view text, ProblemCounter&);
 std::optional<JsonValue> parseJson(std::string_view text, const std::string& file, Problems&);
 
 } // namespace gnomon

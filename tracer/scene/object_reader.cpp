@@ -50,7 +50,8 @@ bool checkNumbers(const Place& place, Range range, std::size_t count, const std:
     if (!place.expect(Kind::Array, wanted, example)) return false;
     const std::size_t found = place.value.children.size();
     if (found != count)
-        return place.complain("expected " + wanted + ", found " + std::to_string(found) + " entries", example);
+        return place.complain("expected " + wanted + ", found " + std::to_string(found) + " entries",
+                              found > count ? example + ", decimals with a point" : example);
     bool right = true;
     for (std::size_t i = 0; i < count; ++i) right &= checkNumber(place.item(i), range, target[i]);
     return right;
@@ -104,19 +105,22 @@ bool checkImageName(const Place& place, Range range, std::string_view text) {
 } // namespace
 
 void SceneReport::add(int line, std::string path, std::string what, std::string remedy) {
-    problems.push_back({file, line, std::move(path), std::move(what), std::move(remedy)});
+    problems.add(line, std::move(path), std::move(what), std::move(remedy));
 }
 
 std::string SceneReport::suggest(std::string_view word, const std::vector<std::string_view>& candidates,
                                  std::string otherwise) {
-    if (suggestionsLeft-- <= 0) return otherwise;
+    std::size_t letters = 0;
+    for (const std::string_view candidate : candidates) letters += word.size() * candidate.size();
+    if (!problems.keeps() || letters > lettersLeft) return otherwise;
+    lettersLeft -= letters;
     const std::string_view best = closest(word, candidates);
     return best.empty() ? otherwise : "did you mean " + inQuotes(best) + "?";
 }
 
 ObjectReader::ObjectReader(const JsonValue& value, const ObjectFormat& format, std::string path, SceneReport& report)
     : value_(&value), format_(&format), path_(std::move(path)), report_(&report),
-      problemsBefore_(report.problems.size()) {
+      problemsBefore_(report.problems.count()) {
     if (!Place{value, path_, report}.expect(Kind::Object, "an object", "write { \"key\": value, ... }")) return;
     reportUnknownKeys();
     reportMissingKeys();
@@ -153,6 +157,10 @@ void ObjectReader::reportUnknownKeys() const {
     bool met = !unmet;
     for (const JsonValue& member : value_->children) {
         if (format_->find(member.key)) continue;
+        if (!report_->problems.keeps()) {
+            report_->problems.countOne();
+            continue;
+        }
         const bool alternative = unmet && looksLikeOneOf(*unmet, member);
         const auto& candidates = alternative ? unmet->keys : known;
         report_->add(member.keyLine, path_,

@@ -21,9 +21,8 @@ namespace gnomon {
 
 /// Where the problems of one file go.
 struct SceneReport {
-    std::string file;
-    Problems& problems;
-    int suggestionsLeft = 200; ///< a file with more slips than that is not a misspelt scene, and searching takes time
+    ProblemCounter& problems;
+    std::size_t lettersLeft = 200'000'000; ///< to compare in search of suggestions: less than a second's work
 
     void add(int line, std::string path, std::string what, std::string remedy = {});
 
@@ -41,7 +40,7 @@ class ObjectReader {
     std::string pathOf(std::string_view key) const { return memberPath(path_, key); }
     bool has(std::string_view key) const { return value_->find(key) != nullptr; }
     /// Whether nothing has been reported since construction: only then do checks across fields make sense.
-    bool sound() const { return report_->problems.size() == problemsBefore_; }
+    bool sound() const { return report_->problems.count() == problemsBefore_; }
 
     // Each is true where the key is there and its value fits.
     bool read(std::string_view key, bool&) const;

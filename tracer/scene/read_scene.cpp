@@ -11,15 +11,48 @@ namespace gnomon {
 
 namespace {
 
+/// Names that stand for nothing: each is one problem, however often it stands in the file.
+class UnknownNames {
+  public:
+    void add(const std::string& name, int line, std::string path) {
+        const auto [at, isNew] = places_.emplace(name, int(all_.size()));
+        if (isNew)
+            all_.push_back({name, line, std::move(path)});
+        else
+            ++all_[std::size_t(at->second)].more;
+    }
+    /// In the order of the file.
+    void report(std::string_view what, const std::vector<std::string_view>& known, const char* remedy,
+                SceneReport& report) const {
+        for (const auto& [name, line, path, more] : all_) {
+            const std::string others =
+                more == 1 ? ", here and in another object" : ", here and in " + std::to_string(more) + " other objects";
+            report.add(line, path, "unknown " + std::string(what) + " " + inQuotes(name) + (more > 0 ? others : ""),
+                       report.suggest(name, known, remedy));
+        }
+    }
+
+  private:
+    struct Unknown {
+        std::string name;
+        int line;
+        std::string path;
+        int more = 0;
+    };
+    std::unordered_map<std::string, int> places_; ///< in `all_`
+    std::vector<Unknown> all_;
+};
+
 /// Reads the parts of one file into a scene. What a single value may be stands in the format tables; here stands what
 /// the parts mean together.
 class SceneReader {
   public:
-    SceneReader(const std::string& file, Problems& problems) : report_{file, problems} { scene_.file = file; }
+    explicit SceneReader(ProblemCounter& problems) : report_{problems} { scene_.file = problems.file(); }
 
     Scene read(const JsonValue& document);
 
   private:
+    bool readMaterials(const ObjectReader& root, const JsonValue& document);
     void readCamera(const ObjectReader&);
     void readBackground(const ObjectReader&);
     void readLight(const ObjectReader&);
@@ -45,7 +78,7 @@ class SceneReader {
     SceneReport report_;
     Scene scene_;
     std::unordered_map<std::string, int> materials_, objects_; ///< by name
-    std::vector<std::string_view> materialNames_;
+    UnknownNames unknownMaterials_;
     std::vector<Centre> centres_;
 };
 
@@ -80,13 +113,23 @@ Scene SceneReader::read(const JsonValue& document) {
     if (const auto background = root.object("background")) readBackground(*background);
     for (const auto& light : root.members("lights")) readLight(root.open("lights", light));
     scene_.materials.push_back(defaultMaterial());
-    for (const auto& material : root.members("materials"))
-        readMaterial(root.open("materials", material), material.name);
-    materialNames_ = namesIn(materials_);
+    const bool named = readMaterials(root, document);
     for (const auto& object : root.members("objects")) readObject(root.open("objects", object));
+    if (named) unknownMaterials_.report("material", namesIn(materials_), "define it under \"materials\"", report_);
     resolveCentres();
     refuseCircles();
     return std::move(scene_);
+}
+
+/// False where the materials as a whole are wrong, and that has been told: then nothing is known of their names.
+bool SceneReader::readMaterials(const ObjectReader& root, const JsonValue& document) {
+    const std::size_t before = report_.problems.count();
+    const auto members = root.members("materials");
+    if (members.empty() && report_.problems.count() > before) return false;
+    for (const auto& material : members) readMaterial(root.open("materials", material), material.name);
+    return root.has("materials") ||
+           std::none_of(document.children.begin(), document.children.end(),
+                        [](const JsonValue& member) { return !closest(member.key, {"materials"}).empty(); });
 }
 
 /// The view must be a view in float32, in which the shader computes it.
@@ -196,8 +239,7 @@ void SceneReader::readMaterialName(const ObjectReader& object, Object& target) {
         target.material = found->second;
         return;
     }
-    report_.add(object.lineOf("material"), object.pathOf("material"), "unknown material " + inQuotes(name),
-                report_.suggest(name, materialNames_, "define it under \"materials\""));
+    unknownMaterials_.add(name, object.lineOf("material"), object.pathOf("material"));
 }
 
 void SceneReader::readMotion(const ObjectReader& object, Object& target) {
@@ -227,16 +269,16 @@ void SceneReader::readGlow(const ObjectReader& object, Object& target) {
 }
 
 void SceneReader::resolveCentres() {
-    const std::vector<std::string_view> names = namesIn(objects_);
+    UnknownNames unknown;
     for (const Centre& centre : centres_) {
         const auto found = objects_.find(centre.name);
         if (found != objects_.end()) {
             scene_.objects[std::size_t(centre.object)].motion->around = found->second;
             continue;
         }
-        report_.add(centre.line, centre.path, "unknown object " + inQuotes(centre.name),
-                    report_.suggest(centre.name, names, "give the object a \"name\""));
+        unknown.add(centre.name, centre.line, centre.path);
     }
+    unknown.report("object", namesIn(objects_), "give the object a \"name\"", report_);
 }
 
 /// Each circle is reported once, at the first of its objects that the file moves.
@@ -261,11 +303,11 @@ void SceneReader::refuseCircles() {
 } // namespace
 
 std::optional<Scene> readScene(std::string_view text, const std::string& file, Problems& problems) {
-    const std::size_t before = problems.size();
-    const std::optional<JsonValue> document = parseJson(text, file, problems);
+    ProblemCounter counter(file, problems);
+    const std::optional<JsonValue> document = parseJson(text, counter);
     if (!document) return std::nullopt;
-    Scene scene = SceneReader(file, problems).read(*document);
-    if (problems.size() != before) return std::nullopt;
+    Scene scene = SceneReader(counter).read(*document);
+    if (counter.count() > 0) return std::nullopt;
     return scene;
 }
 

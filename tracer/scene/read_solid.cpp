@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace gnomon {
 namespace {
 
-constexpr int kMostParts = 64; ///< of a solid: each is code in the shader
+constexpr int kMostParts = 64;  ///< of a solid: each is code in the shader
+constexpr int kMostCopies = 64; ///< of a repetition that a point may be nearest to: each is an evaluation
 
 /// The fields of an analytic shape, as the shape table says.
 Shape readFields(const ObjectReader& reader, const ShapeRow& row, SceneReport& report) {
@@ -104,10 +106,58 @@ int partsOf(const SolidNode& node) {
     return parts;
 }
 
+/// A repetition whose part reaches over too many of its neighbours.
+const SolidNode* denseRepetition(const SolidNode& node) {
+    if (node.op == SolidOp::Repetition) {
+        const glm::ivec3 window = copiesAbout(node);
+        if (double(window.x) * window.y * window.z > kMostCopies) return &node;
+    }
+    for (const SolidNode& part : node.of)
+        if (const SolidNode* dense = denseRepetition(part)) return dense;
+    return nullptr;
+}
+
 /// Whether every operation got what it works on; where one did not, that has been reported.
 bool complete(const SolidNode& node) {
     if (node.op != SolidOp::Shape && node.of.empty()) return false;
     return std::all_of(node.of.begin(), node.of.end(), complete);
+}
+
+/// How far the parts of a body go beyond what float32 computes with, one within another.
+struct Ranges {
+    double leastScale = 1, mostScale = 1; ///< products of the scales around a part
+    double reach = 0;                     ///< coordinates of a part, from the object's origin
+};
+
+void addRanges(const SolidNode& node, double scale, double moved, Ranges& ranges) {
+    const auto longest = [](const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); };
+    if (node.op == SolidOp::Transform) {
+        moved += scale * longest(node.translate);
+        scale *= node.scale;
+    }
+    if (node.op == SolidOp::Repetition) moved += scale * longest(node.period * (node.count - 1.0));
+    ranges.leastScale = std::min(ranges.leastScale, scale);
+    ranges.mostScale = std::max(ranges.mostScale, scale);
+    double inner = 0;
+    if (node.op == SolidOp::Shape)
+        if (const auto extent = extentOf(node)) inner = std::max(longest(extent->low), longest(extent->high));
+    ranges.reach = std::max(ranges.reach, moved + scale * inner);
+    for (const SolidNode& part : node.of) addRanges(part, scale, moved, ranges);
+}
+
+/// What keeps the body from being drawn, and what to do about it; empty where nothing does.
+std::pair<std::string, std::string> outOfRange(const SolidNode& node) {
+    constexpr double kMostScale = 1e6, kMostReach = 1e10; // squares and products of them stay inside float32
+    Ranges ranges;
+    addRanges(node, 1, 0, ranges);
+    const double scale = ranges.mostScale > kMostScale ? ranges.mostScale : ranges.leastScale;
+    if (scale > kMostScale || scale < 1 / kMostScale)
+        return {"its transforms, one within another, scale by " + toString(scale),
+                "keep their product from " + toString(1 / kMostScale) + " to " + toString(kMostScale)};
+    if (ranges.reach > kMostReach)
+        return {"its parts, moved one within another, reach " + toString(ranges.reach) + " units away",
+                "keep them within " + toString(kMostReach)};
+    return {};
 }
 
 } // namespace
@@ -119,6 +169,18 @@ Shape readShape(const ObjectReader& object, SceneReport& report) {
     if (const int parts = partsOf(node); parts > kMostParts) {
         report.add(object.line(), object.path(), "a solid of " + std::to_string(parts) + " parts",
                    "use at most " + std::to_string(kMostParts) + ", or several objects");
+        return {};
+    }
+    if (const SolidNode* dense = denseRepetition(node)) {
+        const glm::ivec3 window = copiesAbout(*dense);
+        report.add(object.line(), object.path(),
+                   "copies that reach over " + std::to_string(window.x) + " x " + std::to_string(window.y) + " x " +
+                       std::to_string(window.z) + " of one another",
+                   "use a longer period or a smaller part: at most " + std::to_string(kMostCopies) + " may meet");
+        return {};
+    }
+    if (const auto [what, remedy] = outOfRange(node); !what.empty()) {
+        report.add(object.line(), object.path(), what, remedy);
         return {};
     }
     if (auto shape = shapeOf(node)) return *shape;

@@ -201,7 +201,7 @@ const ObjectFormat& transformFormat() {
 
 const ObjectFormat& repetitionFormat() {
     static const ObjectFormat format{
-        "Copies of a solid in rows; each must fit in the period about its position",
+        "Copies of a solid in rows; where one reaches over others, at most 64 may meet",
         {{"of", Object, kAny, "What is repeated; it is the first copy", true, &partFormat()},
          {"period", Vector, kPeriod, "From copy to copy along x, y and z", true},
          {"count", Vector, kCopies, "Copies along x, y and z, whole numbers", true}}};

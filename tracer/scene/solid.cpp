@@ -1,6 +1,7 @@
 #include "tracer/scene/solid.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace gnomon {
@@ -68,11 +69,26 @@ std::optional<Extent> extentOf(const SolidNode& node) {
     }
 }
 
+glm::ivec3 copiesAbout(const SolidNode& node) {
+    const Box box = extentOf(node.of[0]);
+    glm::ivec3 window(1);
+    for (int i = 0; i < 3; ++i) {
+        if (node.count[i] <= 1) continue;
+        // The nearest n copies leave out none whose middle is nearer than n / 2 periods: half a period more than the
+        // part reaches from its own.
+        const double reach = box ? 0.5 * (box->high[i] - box->low[i]) / node.period[i] : node.count[i];
+        window[i] = int(std::min(node.count[i], std::ceil(1 + 2 * reach - 1e-9)));
+    }
+    return window;
+}
+
 std::string formOf(const SolidNode& node) {
     if (node.op == SolidOp::Shape) return std::string(shapeRow(node.shape.kind).key);
     std::string form(kSolidKeys[std::size_t(node.op)]);
-    // Which axes repeat is structure: each doubles the copies that a point may be nearest to.
-    for (int i = 0; i < 3 && node.op == SolidOp::Repetition; ++i) form += node.count[i] > 1 ? '+' : '-';
+    if (node.op == SolidOp::Repetition) { // how many copies are looked at is structure
+        const glm::ivec3 window = copiesAbout(node);
+        for (int i = 0; i < 3; ++i) form += std::to_string(window[i]) + (i < 2 ? "," : "");
+    }
     form += '(';
     for (const SolidNode& part : node.of) form += formOf(part) + (&part == &node.of.back() ? ")" : ",");
     return form;

@@ -44,6 +44,10 @@ inline constexpr std::array<std::string_view, 8> kSolidKeys{
 /// A box that holds the solid; none where it has no end.
 std::optional<Extent> extentOf(const SolidNode&);
 
+/// Of a repetition with such a part: how many copies along each axis, those nearest to a point, tell the distance
+/// there. A part that reaches over its neighbours takes more of them.
+glm::ivec3 copiesAbout(const SolidNode& repetition);
+
 /// Its structure without its values: solids of one form share their GLSL.
 std::string formOf(const SolidNode&);
 

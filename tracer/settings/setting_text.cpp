@@ -47,6 +47,12 @@ Wrong readInt(std::string_view text, int min, int max, int& value) {
     return {};
 }
 
+bool isDecimalComma(std::string_view text) {
+    const std::size_t comma = text.find(',');
+    return comma != std::string_view::npos && text.find_first_not_of("+-.0123456789eE") == comma &&
+           text.find_first_not_of("0123456789", comma + 1) == std::string_view::npos;
+}
+
 /// Decimal numbers only: what strtod takes besides (blanks, hexadecimal, inf, nan) is refused before.
 Wrong readReal(std::string_view text, double min, double max, double& value) {
     const std::string range = numberText(min) + "…" + numberText(max), copy(text);
@@ -54,7 +60,8 @@ Wrong readReal(std::string_view text, double min, double max, double& value) {
     const double number = std::strtod(copy.c_str(), &stop);
     if (copy.empty() || copy.find_first_not_of("+-.0123456789eE") != std::string::npos ||
         stop != copy.c_str() + copy.size())
-        return {quoted(text) + " is not a number", "use " + range};
+        return {quoted(text) + " is not a number",
+                isDecimalComma(text) ? "write a decimal point, as 0.8" : "use " + range};
     if (!(number >= min && number <= max)) return outOfRange(text, range);
     value = number;
     return {};

@@ -71,19 +71,16 @@ class Writer {
              ".w);");
     }
 
-    /// Along each axis that repeats, the two copies whose places are nearest to the point.
+    /// The copies that a point may be nearest to.
     void writeCopies(const SolidNode& node, int own, const std::string& point, const std::string& distance) {
         const std::string inner = "p" + distance.substr(1), copy = "i" + distance.substr(1);
-        std::string axes;
-        int copies = 1;
-        for (int i = 0; i < 3; ++i) {
-            axes += (i ? ", " : "") + std::to_string(node.count[i] > 1 ? copies : 0);
-            if (node.count[i] > 1) copies *= 2;
-        }
+        const glm::ivec3 window = copiesAbout(node);
+        const std::string x = std::to_string(window.x), y = std::to_string(window.y), z = std::to_string(window.z);
         line("vec4 " + distance + " = kNothing;");
-        line("for (int " + copy + " = 0; " + copy + " < " + std::to_string(copies) + "; ++" + copy + ") {");
+        line("for (int " + copy + " = 0; " + copy + " < " + x + " * " + y + " * " + z + "; ++" + copy + ") {");
         line("vec3 " + inner + " = inCopy(" + point + " - " + texel(own + 2) + ".xyz, " + texel(own) + ".xyz, " +
-             texel(own + 1) + ".xyz, " + copy + ", ivec3(" + axes + "));");
+             texel(own + 1) + ".xyz, vec3(" + x + ", " + y + ", " + z + "), vec3(" + copy + " % " + x + ", " + copy +
+             " / " + x + " % " + y + ", " + copy + " / (" + x + " * " + y + ")));");
         const std::string part = write(node.of[0], inner);
         line(distance + " = unite(" + distance + ", " + part + ");");
         line("}");

@@ -1,0 +1,14 @@
+/// Ctrl-C and SIGTERM end every command with the same code: at once, or where something is being measured, once what
+/// was measured is kept.
+#pragma once
+
+namespace gnomon {
+
+/// From here on an interruption ends the program at once, with `code`.
+void endWhenInterrupted(int code);
+/// From here on the first one is only noted; one that comes a while later ends the program all the same.
+void noteInterruption();
+/// One was noted: what is done is to be kept, and no more to be begun.
+bool interrupted();
+
+} // namespace gnomon
