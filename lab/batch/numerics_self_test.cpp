@@ -16,8 +16,8 @@ namespace {
 
 using Vec = glm::dvec3;
 
-constexpr double kFar = 1e4;   // units from the rays' origins to the bodies
-constexpr int kRaysEach = 512; // uniform ones and grazing ones of each body
+constexpr double kFar = 1e4;   // units from the rays' origins to the shapes
+constexpr int kRaysEach = 512; // uniform ones and grazing ones of each shape
 constexpr int kChoice = 8;     // grazing rays made for each one taken, the nearest to tangency
 constexpr double kPi = 3.14159265358979323846;
 
@@ -28,12 +28,12 @@ constexpr const char* kScene = R"({"objects": [
                "major_radius": 1, "minor_radius": 0.25}}]})";
 
 /// A sphere or a torus as the shader has it: from its numbers in float.
-struct Body {
+struct TestShape {
     Vec center;
     double major = 0, minor = 0; // a sphere where major is 0
     Vec axis{0, 0, 1};
 
-    explicit Body(const Shape& shape) {
+    explicit TestShape(const Shape& shape) {
         const Shape rounded = inFloat(shape);
         const bool torus = shape.kind == ShapeKind::Torus;
         center = pointOf(rounded, "center");
@@ -57,28 +57,28 @@ struct Truth {
     double t = 0, tangency = 1e30;
 };
 
-double along(const Body& body, const BatchRay& ray, double t) {
-    return body.distance(Vec(ray.origin) + t * Vec(ray.direction));
+double along(const TestShape& shape, const BatchRay& ray, double t) {
+    return shape.distance(Vec(ray.origin) + t * Vec(ray.direction));
 }
 
-/// Ray parameter of the closest approach to the body's centre.
-double middleOf(const Body& body, const BatchRay& ray) {
+/// Ray parameter of the closest approach to the shape's centre.
+double middleOf(const TestShape& shape, const BatchRay& ray) {
     const Vec d(ray.direction);
-    return glm::dot(body.center - Vec(ray.origin), d) / glm::dot(d, d);
+    return glm::dot(shape.center - Vec(ray.origin), d) / glm::dot(d, d);
 }
 
-Truth solveSphere(const Body& body, const BatchRay& ray) {
-    const double middle = middleOf(body, ray), passes = along(body, ray, middle); // > 0: the ray passes by
+Truth solveSphere(const TestShape& shape, const BatchRay& ray) {
+    const double middle = middleOf(shape, ray), passes = along(shape, ray, middle); // > 0: the ray passes by
     if (passes > 0) return {false, 0, passes};
-    const double half = std::sqrt(-passes * (passes + 2 * body.minor)) / glm::length(Vec(ray.direction));
+    const double half = std::sqrt(-passes * (passes + 2 * shape.minor)) / glm::length(Vec(ray.direction));
     return {true, middle - half, -passes};
 }
 
 /// The bottom of a dip of the distance between two ray parameters.
-double bottomOf(const Body& body, const BatchRay& ray, double low, double high) {
+double bottomOf(const TestShape& shape, const BatchRay& ray, double low, double high) {
     for (int i = 0; i < 45; ++i) {
         const double a = low + (high - low) / 3, b = high - (high - low) / 3;
-        if (along(body, ray, a) < along(body, ray, b))
+        if (along(shape, ray, a) < along(shape, ray, b))
             high = b;
         else
             low = a;
@@ -86,28 +86,28 @@ double bottomOf(const Body& body, const BatchRay& ray, double low, double high) 
     return (low + high) / 2;
 }
 
-double entryBetween(const Body& body, const BatchRay& ray, double outside, double inside) {
+double entryBetween(const TestShape& shape, const BatchRay& ray, double outside, double inside) {
     for (int i = 0; i < 50; ++i) {
         const double middle = (outside + inside) / 2;
-        (along(body, ray, middle) < 0 ? inside : outside) = middle;
+        (along(shape, ray, middle) < 0 ? inside : outside) = middle;
     }
     return (outside + inside) / 2;
 }
 
 /// Knows nothing of the torus but its signed distance: samples it, and searches every dip for its bottom.
-Truth solveTorus(const Body& body, const BatchRay& ray) {
+Truth solveTorus(const TestShape& shape, const BatchRay& ray) {
     constexpr int kSamples = 128;
-    const double reach = 1.02 * body.size(), step = 2 * reach / kSamples;
-    const double from = middleOf(body, ray) - reach;
+    const double reach = 1.02 * shape.size(), step = 2 * reach / kSamples;
+    const double from = middleOf(shape, ray) - reach;
     Truth truth;
-    double outside = from, before = along(body, ray, from), here = along(body, ray, from + step);
+    double outside = from, before = along(shape, ray, from), here = along(shape, ray, from + step);
     for (int i = 1; i < kSamples && !truth.hit; ++i) {
-        const double t = from + i * step, next = along(body, ray, t + step);
+        const double t = from + i * step, next = along(shape, ray, t + step);
         if (here <= before && here <= next) {
-            const double bottom = bottomOf(body, ray, t - step, t + step), depth = along(body, ray, bottom);
+            const double bottom = bottomOf(shape, ray, t - step, t + step), depth = along(shape, ray, bottom);
             truth.tangency = std::min(truth.tangency, std::abs(depth));
             truth.hit = depth < 0;
-            if (truth.hit) truth.t = entryBetween(body, ray, outside, bottom);
+            if (truth.hit) truth.t = entryBetween(shape, ray, outside, bottom);
         }
         if (here > 0) outside = t;
         before = here;
@@ -116,8 +116,8 @@ Truth solveTorus(const Body& body, const BatchRay& ray) {
     return truth;
 }
 
-Truth solve(const Body& body, const BatchRay& ray) {
-    return body.major == 0 ? solveSphere(body, ray) : solveTorus(body, ray);
+Truth solve(const TestShape& shape, const BatchRay& ray) {
+    return shape.major == 0 ? solveSphere(shape, ray) : solveTorus(shape, ray);
 }
 
 /// Numbers that are the same everywhere.
@@ -144,24 +144,24 @@ BatchRay rayFrom(Vec origin, Vec towards) {
 }
 
 /// Towards a point somewhere in the bounding sphere.
-BatchRay uniformRay(const Body& body, Random& random) {
-    const Vec origin = body.center + kFar * random.direction();
-    const Vec aim = body.center + body.size() * std::cbrt(random.number(0, 1)) * random.direction();
+BatchRay uniformRay(const TestShape& shape, Random& random) {
+    const Vec origin = shape.center + kFar * random.direction();
+    const Vec aim = shape.center + shape.size() * std::cbrt(random.number(0, 1)) * random.direction();
     return rayFrom(origin, aim - origin);
 }
 
-/// Tangent to the body, but for the rounding of its far origin.
-BatchRay grazingRay(const Body& body, Random& random) {
-    Vec normal = random.direction(), ring = glm::cross(body.axis, normal);
-    if (body.major > 0) { // turned about a direction along the ring, any place of the tube
+/// Tangent to the shape, but for the rounding of its far origin.
+BatchRay grazingRay(const TestShape& shape, Random& random) {
+    Vec normal = random.direction(), ring = glm::cross(shape.axis, normal);
+    if (shape.major > 0) { // turned about a direction along the ring, any position on the tube
         const double around = random.number(0, 2 * kPi);
-        const Vec across = glm::normalize(ring), out = glm::cross(across, body.axis);
-        normal = std::cos(around) * out + std::sin(around) * body.axis;
-        ring = body.major * out;
+        const Vec across = glm::normalize(ring), out = glm::cross(across, shape.axis);
+        normal = std::cos(around) * out + std::sin(around) * shape.axis;
+        ring = shape.major * out;
     } else {
         ring = Vec(0);
     }
-    const Vec point = body.center + ring + body.minor * normal;
+    const Vec point = shape.center + ring + shape.minor * normal;
     const Vec way = glm::normalize(glm::cross(normal, random.direction()));
     return rayFrom(point - kFar * way, way);
 }
@@ -172,30 +172,30 @@ struct Case {
     Truth truth;
 };
 
-/// Far enough from tangency for float32 to decide, and out of the other body's way.
-bool isClear(const Case& one, const Body& body, const Body& other) {
+/// Far enough from tangency for float32 to decide, and out of the other shape's way.
+bool isClear(const Case& one, const TestShape& shape, const TestShape& other) {
     const double passes =
         glm::length(Vec(one.ray.origin) + middleOf(other, one.ray) * Vec(one.ray.direction) - other.center);
-    return one.truth.tangency > std::ldexp(body.size(), -22) && passes > 1.01 * other.size();
+    return one.truth.tangency > std::ldexp(shape.size(), -22) && passes > 1.01 * other.size();
 }
 
 template<class Make>
-Case clearCase(const Body& body, const Body& other, Make make) {
+Case clearCase(const TestShape& shape, const TestShape& other, Make make) {
     for (;;) {
         Case one;
         one.ray = make();
-        one.truth = solve(body, one.ray);
-        if (isClear(one, body, other)) return one;
+        one.truth = solve(shape, one.ray);
+        if (isClear(one, shape, other)) return one;
     }
 }
 
-std::vector<Case> casesOf(const Body& body, const Body& other, Random& random) {
+std::vector<Case> casesOf(const TestShape& shape, const TestShape& other, Random& random) {
     std::vector<Case> cases;
     for (int i = 0; i < kRaysEach; ++i) {
-        cases.push_back(clearCase(body, other, [&] { return uniformRay(body, random); }));
+        cases.push_back(clearCase(shape, other, [&] { return uniformRay(shape, random); }));
         Case nearest;
         for (int j = 0; j < kChoice; ++j) {
-            const Case one = clearCase(body, other, [&] { return grazingRay(body, random); });
+            const Case one = clearCase(shape, other, [&] { return grazingRay(shape, random); });
             if (one.truth.tangency < nearest.truth.tangency) nearest = one;
         }
         cases.push_back(nearest);
@@ -206,31 +206,31 @@ std::vector<Case> casesOf(const Body& body, const Body& other, Random& random) {
 double ulp(double x) { return std::ldexp(1.0, std::ilogb(x) - 23); }
 
 /// The ray stops on another sheet: between where it should stop and where it does it is off the surface.
-bool isElsewhere(const Body& body, const Case& one, double t) {
-    const double slack = 4 * (ulp(one.truth.t) + ulp(body.size()));
+bool isElsewhere(const TestShape& shape, const Case& one, double t) {
+    const double slack = 4 * (ulp(one.truth.t) + ulp(shape.size()));
     for (int i = 0; i <= 32; ++i)
-        if (!(std::abs(along(body, one.ray, one.truth.t + (t - one.truth.t) * i / 32)) <= slack)) return true;
+        if (!(std::abs(along(shape, one.ray, one.truth.t + (t - one.truth.t) * i / 32)) <= slack)) return true;
     return false;
 }
 
-void compareHit(const Body& body, int object, const Case& one, const BatchHit& hit, NumericsSelfTest& selfTest) {
+void compareHit(const TestShape& shape, int object, const Case& one, const BatchHit& hit, NumericsSelfTest& selfTest) {
     ++selfTest.rays;
     if (!one.truth.hit && hit.object < 0) return;
-    const double off = body.distance(Vec(hit.point));
-    if (!one.truth.hit || hit.object != object || !std::isfinite(off) || isElsewhere(body, one, hit.t)) {
+    const double off = shape.distance(Vec(hit.point));
+    if (!one.truth.hit || hit.object != object || !std::isfinite(off) || isElsewhere(shape, one, hit.t)) {
         ++selfTest.wrong;
         return;
     }
-    selfTest.worstPoint = std::max(selfTest.worstPoint, std::abs(off) / std::ldexp(body.size(), -23));
-    selfTest.worstAlong = std::max(selfTest.worstAlong, std::abs(along(body, one.ray, hit.t)) / ulp(one.truth.t));
+    selfTest.worstPoint = std::max(selfTest.worstPoint, std::abs(off) / std::ldexp(shape.size(), -23));
+    selfTest.worstAlong = std::max(selfTest.worstAlong, std::abs(along(shape, one.ray, hit.t)) / ulp(one.truth.t));
 }
 
 void measure(RayBatch& batch, const Scene& scene, NumericsSelfTest& selfTest) {
-    const Body bodies[] = {Body(scene.objects[0].shape), Body(scene.objects[1].shape)};
+    const TestShape shapes[] = {TestShape(scene.objects[0].shape), TestShape(scene.objects[1].shape)};
     Random random;
     std::vector<Case> cases;
     for (const int i : {0, 1}) {
-        const std::vector<Case> more = casesOf(bodies[i], bodies[1 - i], random);
+        const std::vector<Case> more = casesOf(shapes[i], shapes[1 - i], random);
         cases.insert(cases.end(), more.begin(), more.end());
     }
     std::vector<BatchRay> rays;
@@ -238,7 +238,7 @@ void measure(RayBatch& batch, const Scene& scene, NumericsSelfTest& selfTest) {
     const std::vector<BatchHit> hits = batch.trace(rays);
     for (std::size_t i = 0; i < cases.size(); ++i) {
         const int object = i < cases.size() / 2 ? 0 : 1; // as in the scene: spheres come before tori
-        compareHit(bodies[object], object, cases[i], hits[i], selfTest);
+        compareHit(shapes[object], object, cases[i], hits[i], selfTest);
     }
     selfTest.measured = true;
 }

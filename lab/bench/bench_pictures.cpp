@@ -11,13 +11,13 @@ BenchPictures::BenchPictures(const BenchPlan& plan, std::size_t contexts) : plan
 
 void BenchPictures::draw(BenchRun& run, Problems& problems) {
     const std::vector<BenchCost>& costs = run.costs();
-    std::vector<std::size_t> places(costs.size());
+    std::vector<std::size_t> indices(costs.size());
     std::size_t count = drawn_.size();
     const std::size_t known = problems.size();
-    for (std::size_t i = 0; i < costs.size(); ++i) places[i] = costs[i].drawn ? count++ : kNone;
+    for (std::size_t i = 0; i < costs.size(); ++i) indices[i] = costs[i].drawn ? count++ : kNone;
     for (std::size_t i = 0; i < costs.size() && !LabProgress::interrupted() && problems.size() == known; ++i) {
         const glm::ivec2 size = pictureSize(plan_.entries[i].settings.size, contexts_ * plan_.entries.size());
-        if (costs[i].drawn) drawn_.push_back({run.picture(i, size, problems), places[plan_.baselines[i]]});
+        if (costs[i].drawn) drawn_.push_back({run.picture(i, size, problems), indices[plan_.baselines[i]]});
     }
 }
 

@@ -65,7 +65,7 @@ struct Tally {
     std::vector<std::size_t> wrongRays;
 
     std::int64_t wrong() const { return missed + invented + elsewhere; }
-    double decidedShare() const { return rays ? double(decided) / double(rays) : 0; }
+    double decidedFraction() const { return rays ? double(decided) / double(rays) : 0; }
 };
 bool within(const Tally&, const Bounds&);
 /// On all cores; one answer a ray.

@@ -114,7 +114,7 @@ struct Summary {
                 textbookDecided[i] += row.textbook.decided;
             }
     }
-    Cell textbookShare(int i) const {
+    Cell textbookWrongPercent(int i) const {
         if (textbookDecided[i] == 0) return {};
         return 100.0 * double(textbookWrong[i]) / double(textbookDecided[i]);
     }
@@ -147,7 +147,7 @@ Table intersectSummary(const std::vector<IntersectRow>& rows) {
         std::sort(all.costs.begin(), all.costs.end());
         const Cell cost = all.costs.empty() ? Cell{} : Cell(all.costs[all.costs.size() / 2]);
         table.rows.push_back({name, double(all.decided), double(all.wrong), all.margin, all.ray, all.point, all.normal,
-                              all.textbookShare(0), all.textbookShare(1), cost});
+                              all.textbookWrongPercent(0), all.textbookWrongPercent(1), cost});
     }
     return table;
 }
@@ -194,7 +194,7 @@ Table intersectTable(const std::vector<IntersectRow>& rows) {
          {"rounds", "pairs", "", "Timed for the cost"}});
     for (const IntersectRow& row : rows) {
         const Tally& ours = row.ours;
-        const auto share = [&](const Tally& tally) -> Cell {
+        const auto wrongPercent = [&](const Tally& tally) -> Cell {
             if (tally.decided == 0) return {};
             return 100.0 * double(tally.missed + tally.invented) / double(tally.decided);
         };
@@ -210,9 +210,9 @@ Table intersectTable(const std::vector<IntersectRow>& rows) {
                                 ours.worstMargin * 0x1p24};
         for (const Spread* values : {&ours.t, &ours.ray, &ours.point, &ours.normal})
             cells.insert(cells.end(), {values->median, values->most, values->worst});
-        cells.insert(cells.end(),
-                     {share(ours), share(row.textbook), double(row.textbook.elsewhere), row.textbook.ray.most,
-                      row.textbook.point.most, row.cost.median, row.cost.low, row.cost.high, double(kPairs)});
+        cells.insert(cells.end(), {wrongPercent(ours), wrongPercent(row.textbook), double(row.textbook.elsewhere),
+                                   row.textbook.ray.most, row.textbook.point.most, row.cost.median, row.cost.low,
+                                   row.cost.high, double(kPairs)});
         table.rows.push_back(std::move(cells));
     }
     return table;

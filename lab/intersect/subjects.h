@@ -44,7 +44,7 @@ inline constexpr std::array<RayClass, 6> kRayClasses{RayClass::Uniform, RayClass
                                                      RayClass::Hole,    RayClass::Inside,  RayClass::Axis};
 std::string_view nameOf(RayClass);
 bool fits(RayClass, const Subject&);
-/// The share of a class's rays that have to be so far from tangency that float32 must decide them rightly, at least.
+/// The fraction of a class's rays that have to be so far from tangency that float32 must decide them rightly, at least.
 /// The others are near it on purpose, or are put there by the rounding of what lies far from the world's origin.
 double leastDecided(RayClass, ShapeKind, double distance);
 

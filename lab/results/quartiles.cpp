@@ -11,10 +11,10 @@ namespace gnomon {
 Quartiles quartilesOf(std::vector<double> values) {
     if (values.empty()) return {};
     std::sort(values.begin(), values.end());
-    const auto at = [&](double share) {
-        const double place = share * double(values.size() - 1);
-        const std::size_t below = std::size_t(place), above = std::min(below + 1, values.size() - 1);
-        return values[below] + (place - double(below)) * (values[above] - values[below]);
+    const auto at = [&](double fraction) {
+        const double position = fraction * double(values.size() - 1);
+        const std::size_t below = std::size_t(position), above = std::min(below + 1, values.size() - 1);
+        return values[below] + (position - double(below)) * (values[above] - values[below]);
     };
     return {at(0.25), at(0.5), at(0.75)};
 }

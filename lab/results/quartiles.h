@@ -1,6 +1,6 @@
 /// Times that vary, told by their median and quartiles, which a few disturbed rounds do not move.
 ///
-/// quartilesOf  linear between the sorted values that lie around the place
+/// quartilesOf  linear between the sorted values that lie around the position
 /// notchOf      half the width of the interval about a median, k (q3 - q1) / sqrt(n) of n independent rounds. k grows
 ///              with the rows that are read together: of a column of so many rows that do not differ, one or more are
 ///              told apart, their notches not overlapping, in at most 5 % of columns, whatever the rows share

@@ -93,7 +93,7 @@ TEST_P(Intersect, AnswersLikeTheOracleFromThreeToAHundredThousandSizes) {
                     describe(shape, rays[tally.wrongRays[i]], answers[tally.wrongRays[i]]);
                 decided += tally.decided;
                 hits += tally.hits;
-                EXPECT_GE(tally.decidedShare(), leastDecided(kind, subject.geometry.kind, distance));
+                EXPECT_GE(tally.decidedFraction(), leastDecided(kind, subject.geometry.kind, distance));
                 EXPECT_EQ(tally.missed, 0);
                 EXPECT_EQ(tally.invented, 0);
                 EXPECT_EQ(tally.elsewhere, 0);

@@ -68,7 +68,7 @@ class Rays {
     std::mt19937_64 random_;
 };
 
-/// What the GPU got wrong in a set of rays; the worst errors as shares of what the bounds allow.
+/// What the GPU got wrong in a set of rays; the worst errors as fractions of what the bounds allow.
 struct Faults {
     int compared = 0, wrong = 0;
     Real inBand = 0; ///< worst wrong decision's distance from tangency: within the band by construction
@@ -114,7 +114,7 @@ void Faults::compare(const Ground& ground, const BatchRay& ray, const BatchHit& 
 
 void Faults::comparePoint(const Ground& ground, const BatchHit& hit) {
     const Vec p(hit.point), n(hit.normal), size = glm::abs(p);
-    // Each coordinate is rounded by half an ulp, which counts by the normal's share of it.
+    // Each coordinate is rounded by half an ulp, which counts by the normal's component along it.
     const Real rounding = (ulp(size.x) * std::abs(n.x) + ulp(size.y) * std::abs(n.y) + ulp(size.z) * std::abs(n.z)) / 2;
     point = std::max(point, std::abs(ground.distance(p)) / (boundAt(ground, p) + rounding));
     normal = std::max(normal, glm::length(n - glm::normalize(p - ground.center)) / 3e-7L);

@@ -88,7 +88,7 @@ TEST(Shadow, LeavesNoSpecksWhereTheLightStandsBehindTheEye) {
     EXPECT_EQ(dark, 0) << "everything seen is lit";
 }
 
-TEST(Shadow, LeavesNoSpecksOnConvexBodiesEither) {
+TEST(Shadow, LeavesNoSpecksOnConvexShapesEither) {
     Scene scene = sceneFrom(R"({"camera": {"eye": [0, 0, 1000], "target": [0, 0, 0]},
         "lights": [{"point": {"position": [0, 0, 1500]}}], "objects": [
         {"box": {"center": [-0.8, 0.8, 0], "half_size": [0.6, 0.5, 0.4]}},
@@ -204,7 +204,7 @@ TEST(Glass, NeitherAddsNorLosesLightInAWhiteRoom) {
 // Light that total reflection keeps inside for longer than the ray tree is deep is lost, but none is ever added. In a
 // box it leaves, always at one angle, by the faces opposite to each other that it came in by, and has met both of them
 // before the tree ends: what is left inside is at most (1 - F) F^2 <= 4/27.
-TEST(Glass, InConvexBodiesAddsNoLightAndInABoxLosesNone) {
+TEST(Glass, InConvexShapesAddsNoLightAndInABoxLosesNone) {
     for (const char* body : {R"("box": {"center": [0, 0, 0], "half_size": [0.7, 0.8, 0.6]})",
                              R"("cylinder": {"from": [-0.4, -0.7, 0], "to": [0.4, 0.7, 0], "radius": 0.5})",
                              R"("capsule": {"from": [-0.4, -0.7, 0], "to": [0.4, 0.7, 0], "radius": 0.5})",
@@ -316,11 +316,11 @@ TEST(Depth, LimitsHowOftenLightBounces) {
         "objects": [{"plane": {"point": [0, 0, -1], "normal": [0, 0, 1]}, "material": "silver"},
                     {"plane": {"point": [0, 0, 1], "normal": [0, 0, -1]}, "material": "silver"}]})");
     Settings settings = sized(9, 9);
-    double sum = 0, share = 0.1;
+    double sum = 0, bounce = 0.1;
     const double f0 = ((0.14 - 1) * (0.14 - 1) + 4.1 * 4.1) / ((0.14 + 1) * (0.14 + 1) + 4.1 * 4.1);
     for (settings.depth = 1; settings.depth <= 8; ++settings.depth) {
-        sum += share;
-        share *= f0;
+        sum += bounce;
+        bounce *= f0;
         EXPECT_NEAR(colorInTheMiddle(scene, settings).r, sum, 1e-5) << settings.depth;
     }
 }

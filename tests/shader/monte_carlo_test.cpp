@@ -1,4 +1,4 @@
-/// Shadow models that take samples of a light: shares of known shapes, and as many samples as asked for.
+/// Shadow models that take samples of a light: light fractions behind known shapes, and as many samples as asked for.
 #include "tests/support/light_fractions.h"
 #include "tracer/render/renderer.h"
 
@@ -22,13 +22,14 @@ class MonteCarlo : public testing::TestWithParam<ShadowModel> {
     }
 
     /// In parts: llvmpipe ends all loops of a pixel early.
-    std::vector<double> sharesOfMany(const std::string& objects, int samples, const std::vector<BatchLit>& lit) {
+    std::vector<double> lightFractionsOfMany(const std::string& objects, int samples,
+                                             const std::vector<BatchLit>& lit) {
         constexpr int kMost = 256;
         Settings part = settings(std::min(samples, kMost));
         std::vector<double> means(lit.size());
         for (; part.firstSample < samples; part.firstSample += kMost) {
-            const auto shares = sharesOf(objects, part, lit);
-            for (std::size_t i = 0; i < shares.size(); ++i) means[i] += shares[i] * part.samples / samples;
+            const auto fractions = lightFractionsOf(objects, part, lit);
+            for (std::size_t i = 0; i < fractions.size(); ++i) means[i] += fractions[i] * part.samples / samples;
         }
         return means;
     }
@@ -37,32 +38,32 @@ class MonteCarlo : public testing::TestWithParam<ShadowModel> {
 /// What so many samples may be off, as root of the mean square.
 double samplingError(int samples) { return 0.6 / std::pow(samples, 0.75); }
 
-TEST_P(MonteCarlo, NearsTheShareThatAnEdgeLeavesAsSamplesGrow) {
+TEST_P(MonteCarlo, ConvergesToTheLightFractionAtAnEdge) {
     double before = 1;
     for (const int samples : {16, 256, 4096}) {
         std::vector<BatchLit> lit;
         const double slope = slopeOf(2);
         for (int i = -60; i <= 60; ++i) lit.push_back(under(2, {float(i / 50.0 * 4 * slope), 0, 0}));
-        const auto shares = sharesOfMany(kWall, samples, lit);
+        const auto fractions = lightFractionsOfMany(kWall, samples, lit);
         std::vector<double> exact;
         for (const BatchLit& one : lit) exact.push_back(tau(std::min(one.point.x / 2, one.point.x / 4) / slope));
-        const double error = apart(shares, exact);
+        const double error = apart(fractions, exact);
         EXPECT_LE(error, samplingError(samples)) << samples;
         EXPECT_LT(error, before);
         before = error;
     }
 }
 
-/// Of a sphere before the middle of the light: the sines of both are known, and the share is that of two discs.
-TEST_P(MonteCarlo, FindsTheShareThatASphereLeaves) {
+/// Of a sphere before the middle of the light: the sines of both are known, and the fraction is that of two discs.
+TEST_P(MonteCarlo, FindsTheLightFractionBehindASphere) {
     constexpr int kSamples = 256;
     const std::vector<BatchLit> lit(100, under(2));
     for (const double radius : {0.1, 0.3, 0.6, 0.9}) {
         const double sine = radius / 3, covered = sine / std::sqrt(1 - sine * sine) / slopeOf(2);
-        const auto shares = sharesOf(R"({"sphere": {"center": [0, 0, 3], "radius": )" + std::to_string(radius) + "}}",
-                                     settings(kSamples), lit);
+        const auto fractions = lightFractionsOf(
+            R"({"sphere": {"center": [0, 0, 3], "radius": )" + std::to_string(radius) + "}}", settings(kSamples), lit);
         const std::vector<double> exact(lit.size(), 1 - covered * covered);
-        EXPECT_LE(apart(shares, exact), samplingError(kSamples)) << radius;
+        EXPECT_LE(apart(fractions, exact), samplingError(kSamples)) << radius;
     }
 }
 
@@ -71,13 +72,14 @@ TEST_P(MonteCarlo, KnowsNothingAndEverything) {
     for (const double radius : {0.0, 0.05, 1.0, 4.0}) {
         BatchLit onGround = under(radius);
         onGround.object = 0;
-        const auto share = [&](const std::string& objects) {
-            return sharesOf(ground + objects, settings(64), {onGround})[0];
+        const auto fraction = [&](const std::string& objects) {
+            return lightFractionsOf(ground + objects, settings(64), {onGround})[0];
         };
-        EXPECT_EQ(share(""), 1) << radius;
-        EXPECT_EQ(share(R"(, {"box": {"center": [0, 0, 20], "half_size": [40, 40, 2]}})"), 1) << "beyond, " << radius;
-        EXPECT_EQ(share(R"(, {"box": {"center": [0, 0, 3], "half_size": [40, 40, 2]}})"), 0) << radius;
-        EXPECT_EQ(share(R"(, {"box": {"center": [0, 0, 6], "half_size": [5, 5, 5]}})"), 0)
+        EXPECT_EQ(fraction(""), 1) << radius;
+        EXPECT_EQ(fraction(R"(, {"box": {"center": [0, 0, 20], "half_size": [40, 40, 2]}})"), 1)
+            << "beyond, " << radius;
+        EXPECT_EQ(fraction(R"(, {"box": {"center": [0, 0, 3], "half_size": [40, 40, 2]}})"), 0) << radius;
+        EXPECT_EQ(fraction(R"(, {"box": {"center": [0, 0, 6], "half_size": [5, 5, 5]}})"), 0)
             << "light inside, " << radius;
     }
 }
@@ -88,8 +90,9 @@ TEST_P(MonteCarlo, SeesHalfOfALightOnTheHorizon) {
     level.light = {kAway, 0, 0};
     constexpr int kSamples = 256;
     const std::vector<BatchLit> lit(100, level);
-    const auto shares = sharesOf(R"({"plane": {"point": [0, 0, 0], "normal": [0, 0, 1]}})", settings(kSamples), lit);
-    EXPECT_LE(apart(shares, std::vector<double>(lit.size(), 0.5)), samplingError(kSamples));
+    const auto fractions =
+        lightFractionsOf(R"({"plane": {"point": [0, 0, 0], "normal": [0, 0, 1]}})", settings(kSamples), lit);
+    EXPECT_LE(apart(fractions, std::vector<double>(lit.size(), 0.5)), samplingError(kSamples));
 }
 
 /// Some GLs end all loops of a pixel early: as many samples at once as a user may ask for must not be fewer.
@@ -104,9 +107,9 @@ TEST_P(MonteCarlo, TakesAsManySamplesAsAsked) {
     std::vector<double> means;
     for (int first = 0; first < all; first += part) {
         settings.firstSample = first;
-        const FloatImage shares = outputOf(scene, settings, Aov::Visibility);
-        means.resize(shares.pixels.size());
-        for (std::size_t i = 0; i < means.size(); ++i) means[i] += double(shares.pixels[i]) * part / all;
+        const FloatImage fractions = outputOf(scene, settings, Aov::Visibility);
+        means.resize(fractions.pixels.size());
+        for (std::size_t i = 0; i < means.size(); ++i) means[i] += double(fractions.pixels[i]) * part / all;
     }
     settings.firstSample = 0;
     settings.samples = all;
@@ -137,15 +140,15 @@ TEST(MonteCarloMarch, SeesWhatRaysSee) {
     settings.size = {640, 480};
     settings.depth = 1;
     const Scene scene = sceneNamed("simple");
-    const auto shares = [&](ShadowModel model, int samples) {
+    const auto fractions = [&](ShadowModel model, int samples) {
         settings.shadows = model;
         settings.samples = samples;
         const FloatImage image = outputOf(scene, settings, Aov::Visibility);
         return std::vector<double>(image.pixels.begin(), image.pixels.end());
     };
-    const auto rays = shares(ShadowModel::Montecarlo, 4);
-    const double noise = apart(rays, shares(ShadowModel::Montecarlo, 64));
-    EXPECT_LE(apart(shares(ShadowModel::MontecarloMarch, 4), rays), noise);
+    const auto rays = fractions(ShadowModel::Montecarlo, 4);
+    const double noise = apart(rays, fractions(ShadowModel::Montecarlo, 64));
+    EXPECT_LE(apart(fractions(ShadowModel::MontecarloMarch, 4), rays), noise);
 }
 
 /// What is averaged is light, and encoded once: a picture of two stretches is that of their mean.

@@ -222,15 +222,15 @@ TEST(Outputs, ReadTheSameFromABlockAndFromATexture) {
     EXPECT_EQ(block.pixels, texture.pixels);
 }
 
-// What the processor reads ahead (shaders/software/preloads.glsl) spares it work and changes nothing.
-TEST(Outputs, AreTheSameWithNothingReadAhead) {
+// Preloads (shaders/software/preloads.glsl) spare a software rasteriser work and change nothing.
+TEST(Outputs, AreTheSameWithoutPreloads) {
     offscreen();
     const ShaderFile nothing[] = {{"software/preloads.glsl", "vec4 preload() { return vec4(0.0); }"}};
     for (const char* name : {"lite", "pro", "torus", "solids"}) {
         const Scene scene = sceneNamed(name);
-        Drawing ahead(scene, small(1)), plain(scene, small(1), nothing);
-        EXPECT_NE(ahead.renderer().source(), plain.renderer().source()) << name;
-        EXPECT_EQ(ahead.output().pixels, plain.output().pixels) << name;
+        Drawing preloaded(scene, small(1)), plain(scene, small(1), nothing);
+        EXPECT_NE(preloaded.renderer().source(), plain.renderer().source()) << name;
+        EXPECT_EQ(preloaded.output().pixels, plain.output().pixels) << name;
     }
 }
 

@@ -103,7 +103,7 @@ bool meets(const Ring& ring, glm::dvec3 point, glm::dvec3 v) {
     return false;
 }
 
-/// Share of the light's disc that `count` rays see.
+/// Fraction of the light's disc that `count` rays see.
 double seenByRays(const Ring& ring, const Place& place, int count) {
     const glm::dvec3 point(place.lit.point), toLight = glm::dvec3(place.lit.light) - point;
     const double distance = glm::length(toLight), sine = std::min(double(place.lit.radius) / distance, 0.999);

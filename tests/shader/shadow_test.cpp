@@ -23,18 +23,18 @@ std::vector<double> answersOf(const std::string& expression, const std::vector<d
     const ShaderFile file{"shadow/cone_base.glsl", text};
     std::vector<BatchLit> lit;
     for (const double x : xs) lit.push_back(under(x));
-    return sharesOf(R"({"sphere": {"center": [99, 0, 0], "radius": 1}})", settingsFor(ShadowModel::ConeBase), lit,
-                    {&file, 1});
+    return lightFractionsOf(R"({"sphere": {"center": [99, 0, 0], "radius": 1}})", settingsFor(ShadowModel::ConeBase),
+                            lit, {&file, 1});
 }
 
-TEST(Share, IsTauAndItsInverse) {
+TEST(LightFraction, IsTauAndItsInverse) {
     std::vector<double> xs;
     for (int i = 0; i <= 2000; ++i) xs.push_back(i / 1000.0);
-    const auto shares = answersOf("fractionOf(x - 1.0)", xs),
+    const auto fractions = answersOf("fractionOf(x - 1.0)", xs),
                back = answersOf("fractionOf(fractionInverse(0.5 * x))", xs);
-    ASSERT_EQ(shares.size(), xs.size());
+    ASSERT_EQ(fractions.size(), xs.size());
     for (std::size_t i = 0; i < xs.size(); ++i) {
-        EXPECT_NEAR(shares[i], tau(xs[i] - 1), 1e-6) << xs[i] - 1;
+        EXPECT_NEAR(fractions[i], tau(xs[i] - 1), 1e-6) << xs[i] - 1;
         EXPECT_NEAR(back[i], xs[i] / 2, 2e-6) << xs[i] / 2;
     }
 }
@@ -72,7 +72,7 @@ double toWall(double x, double z, double half) {
 }
 
 /// tau of the least relative distance along the cone from the surface sphere to the light, by looking everywhere.
-double leastShare(double x, double radius, double half) {
+double leastFraction(double x, double radius, double half) {
     const double r0 = 5e-4, length = kAway - r0, sine = (radius - r0) / length, cosine = std::sqrt(1 - sine * sine);
     double least = 1;
     for (int i = 0; i <= 200000; ++i) {
@@ -87,42 +87,45 @@ TEST_P(Cones, FindTheLeastRelativeDistance) {
         const double half = std::min(1.5, 4 * slopeOf(radius));
         std::vector<BatchLit> lit;
         for (int i = -15; i <= 15; ++i) lit.push_back(under(radius, {float(i / 12.0 * 3 * slopeOf(radius)), 0, 0}));
-        const auto shares = sharesOf(wall(half), settings(1.0 / 128), lit);
+        const auto fractions = lightFractionsOf(wall(half), settings(1.0 / 128), lit);
         for (std::size_t i = 0; i < lit.size(); ++i)
-            EXPECT_NEAR(shares[i], leastShare(lit[i].point.x, radius, half), 1.0 / 128 + 1e-3)
+            EXPECT_NEAR(fractions[i], leastFraction(lit[i].point.x, radius, half), 1.0 / 128 + 1e-3)
                 << "radius " << radius << " x " << lit[i].point.x;
     }
 }
 
 /// Where what hides the light is the half plane that the model takes it for: a wall that is thin against its distance
 /// and thick against the cone, under a small light.
-TEST_P(Cones, FindTheShareThatAnEdgeLeaves) {
+TEST_P(Cones, FindTheLightFractionAtAnEdge) {
     for (const double radius : {0.05, 0.1}) {
         const double slope = slopeOf(radius), half = 4 * slope;
         std::vector<BatchLit> lit;
         for (int i = -60; i <= 60; ++i) lit.push_back(under(radius, {float(i / 50.0 * 3 * slope), 0, 0}));
-        const auto shares = sharesOf(wall(half), settings(), lit);
+        const auto fractions = lightFractionsOf(wall(half), settings(), lit);
         for (std::size_t i = 0; i < lit.size(); ++i) {
             const double x = lit[i].point.x, exact = tau(std::min(x / (3 - half), x / (3 + half)) / slope);
-            EXPECT_NEAR(shares[i], exact, 0.01) << "radius " << radius << " x " << x;
+            EXPECT_NEAR(fractions[i], exact, 0.01) << "radius " << radius << " x " << x;
         }
     }
 }
 
 TEST_P(Cones, KnowNothingAndEverything) {
     for (const double radius : {0.0, 0.05, 1.0, 4.0}) {
-        const auto share = [&](const char* objects) { return sharesOf(objects, settings(), {under(radius)})[0]; };
+        const auto fraction = [&](const char* objects) {
+            return lightFractionsOf(objects, settings(), {under(radius)})[0];
+        };
         const double level = model_ == ShadowModel::ConeDiscrete ? 0.01 : 1e-3;
         // A cone that touches the surface sphere at its start finds cos(alpha) there, not 1.
         const double widest = tau(std::sqrt(1 - radius * radius / kAway / kAway));
-        EXPECT_GE(share(R"({"sphere": {"center": [90, 0, 0], "radius": 1}})"), 1 - level) << radius;
-        EXPECT_GE(share(R"({"plane": {"point": [0, 0, 0], "normal": [0, 0, 1]}})"), widest - 0.01) << radius;
+        EXPECT_GE(fraction(R"({"sphere": {"center": [90, 0, 0], "radius": 1}})"), 1 - level) << radius;
+        EXPECT_GE(fraction(R"({"plane": {"point": [0, 0, 0], "normal": [0, 0, 1]}})"), widest - 0.01) << radius;
         // A wider cone than these are thick is not filled by what they are deep.
         if (radius <= 1) {
-            EXPECT_LE(share(R"({"box": {"center": [0, 0, 3], "half_size": [40, 40, 2]}})"), 0.01) << radius;
-            EXPECT_LE(share(R"({"sphere": {"center": [0, 0, 6], "radius": 5}})"), 0.01) << "light inside, " << radius;
+            EXPECT_LE(fraction(R"({"box": {"center": [0, 0, 3], "half_size": [40, 40, 2]}})"), 0.01) << radius;
+            EXPECT_LE(fraction(R"({"sphere": {"center": [0, 0, 6], "radius": 5}})"), 0.01)
+                << "light inside, " << radius;
         }
-        EXPECT_GE(share(R"({"box": {"center": [0, 0, 20], "half_size": [40, 40, 2]}})"), 1 - level)
+        EXPECT_GE(fraction(R"({"box": {"center": [0, 0, 20], "half_size": [40, 40, 2]}})"), 1 - level)
             << "beyond, radius " << radius;
     }
 }
@@ -132,9 +135,9 @@ TEST_P(Cones, StayWithinBoundsWhereThePointIsOnTheLight) {
     on.light = on.point + glm::vec3(0, 0, 1);
     BatchLit at = on;
     at.light = at.point;
-    for (const double share : sharesOf(kWall, settings(), {on, at})) {
-        EXPECT_GE(share, 0);
-        EXPECT_LE(share, 1);
+    for (const double fraction : lightFractionsOf(kWall, settings(), {on, at})) {
+        EXPECT_GE(fraction, 0);
+        EXPECT_LE(fraction, 1);
     }
 }
 
@@ -144,14 +147,14 @@ TEST_P(Cones, EndAHardShadowWithinAPixel) {
         lit.push_back(under(0, {float(i) * 5e-4f, 0, 0}));
         lit.back().width = 0.02f;
     }
-    const auto shares = sharesOf(kWall, settings(), lit);
+    const auto fractions = lightFractionsOf(kWall, settings(), lit);
     bool between = false;
     for (std::size_t i = 0; i < lit.size(); ++i) {
         const float x = lit[i].point.x;
         if (std::abs(x) > 0.02f) {
-            EXPECT_NEAR(shares[i], x > 0 ? 1 : 0, 0.01) << x;
+            EXPECT_NEAR(fractions[i], x > 0 ? 1 : 0, 0.01) << x;
         }
-        between |= shares[i] > 0.2 && shares[i] < 0.8;
+        between |= fractions[i] > 0.2 && fractions[i] < 0.8;
     }
     EXPECT_TRUE(between) << "the edge is smooth";
 }
@@ -165,7 +168,7 @@ INSTANTIATE_TEST_SUITE_P(All, Cones,
                              return name + (std::get<1>(test.param) == ConeOrigin::Surface ? "_A" : "_B");
                          });
 
-constexpr const char* kBodies = R"({"sphere": {"center": [0.3, 0.2, 2.5], "radius": 0.6}},
+constexpr const char* kOccluders = R"({"sphere": {"center": [0.3, 0.2, 2.5], "radius": 0.6}},
     {"capsule": {"from": [-1.5, -1, 2], "to": [-1, 1.2, 3], "radius": 0.2}},
     {"torus": {"center": [1.4, -0.6, 2], "axis": [0.3, 0.2, 1], "major_radius": 0.6, "minor_radius": 0.2}},
     {"smooth_union": [{"sphere": {"center": [0.2, 1.8, 2], "radius": 0.4}}, {"sphere": {"center": [0.8, 1.6, 2.3],
@@ -179,27 +182,27 @@ std::vector<BatchLit> everywhere(double radius) {
     return lit;
 }
 
-TEST(Directions, FindTheSameShare) {
+TEST(ConeOrigins, FindTheSameLightFraction) {
     for (const ShadowModel model : {ShadowModel::ConeBase, ShadowModel::ConeLinear, ShadowModel::ConeConvex})
         for (const double radius : {0.1, 0.5, 1.5})
             for (const double epsilon : {1.0 / 30, 1.0 / 128}) {
                 const auto lit = everywhere(radius);
-                const auto a = sharesOf(kBodies, settingsFor(model, epsilon), lit);
-                const auto b = sharesOf(kBodies, settingsFor(model, epsilon, ConeOrigin::Light), lit);
+                const auto a = lightFractionsOf(kOccluders, settingsFor(model, epsilon), lit);
+                const auto b = lightFractionsOf(kOccluders, settingsFor(model, epsilon, ConeOrigin::Light), lit);
                 for (std::size_t i = 0; i < a.size(); ++i)
                     ASSERT_NEAR(a[i], b[i], 1.1 * epsilon + 1e-3) << shadowRow(model).key << " radius " << radius
                                                                   << " at " << lit[i].point.x << " " << lit[i].point.y;
             }
 }
 
-TEST(Epsilon, BringsTheShareNearerAsItFalls) {
+TEST(Epsilon, BringsTheLightFractionNearerAsItFalls) {
     for (const ShadowModel model :
          {ShadowModel::ConeBase, ShadowModel::ConeLinear, ShadowModel::ConeDiscrete, ShadowModel::ConeConvex}) {
         const auto lit = everywhere(0.8);
-        const auto exact = sharesOf(kBodies, settingsFor(ShadowModel::ConeLinear, 1.0 / 1024), lit);
+        const auto exact = lightFractionsOf(kOccluders, settingsFor(ShadowModel::ConeLinear, 1.0 / 1024), lit);
         double before = 1;
         for (const double epsilon : {0.5, 0.25, 0.125, 1.0 / 16, 1.0 / 32, 1.0 / 64, 1.0 / 128}) {
-            const double error = apart(sharesOf(kBodies, settingsFor(model, epsilon), lit), exact);
+            const double error = apart(lightFractionsOf(kOccluders, settingsFor(model, epsilon), lit), exact);
             EXPECT_LE(error, before * 1.02 + 1e-4) << shadowRow(model).key << " " << epsilon;
             EXPECT_LE(error, epsilon) << shadowRow(model).key << " " << epsilon;
             before = error;

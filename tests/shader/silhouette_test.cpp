@@ -1,4 +1,4 @@
-/// The shadow model `silhouette` on the GPU against exact shares of the light's disc, in double: closed forms where
+/// The shadow model `silhouette` on the GPU against exact fractions of the light's disc, in double: closed forms where
 /// there are some, else many rays of the oracle. Receivers look up along z at a light 6 away; a length over slope *
 /// height is one in units of the disc.
 
@@ -174,7 +174,7 @@ TEST(Silhouette, OfADiscIsALens) {
                     [&](double x, double slope) { return 1 - lens(size / (3 * slope), std::abs(x) / (3 * slope)); });
 }
 
-/// Share of the disc that rays of the oracle see, on a grid of equal cells.
+/// Fraction of the disc that rays of the oracle see, on a grid of equal cells.
 double seenByRays(const std::vector<Shape>& shapes, const BatchLit& lit, int rings = 48, int spokes = 96) {
     std::vector<ExactShape<double>> exactShapes;
     for (const Shape& shape : shapes) exactShapes.emplace_back(shape);

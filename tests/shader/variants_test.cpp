@@ -1,5 +1,5 @@
-/// A picture drawn in parts is the picture of the whole program, to every float: from anywhere, at any time, whatever
-/// is rare in it and wherever that is met.
+/// A picture drawn by shader variants is the picture of the full variant alone, to every float: from anywhere, at any
+/// time, whatever features in it are uncommon and wherever they are met.
 #include "tests/support/clouds.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/scenes.h"
@@ -28,14 +28,14 @@ Settings with(Variants variants, Settings settings) {
     return settings;
 }
 
-/// All shots of the scene are the same with parts and without, and show something.
+/// All shots of the scene are the same with variants and without, and show something.
 void expectSame(const Scene& scene, const std::vector<Shot>& shots, const Settings& settings, const std::string& what) {
     offscreen();
-    Drawing whole(scene, with(Variants::Off, settings)), parts(scene, with(Variants::On, settings));
+    Drawing full(scene, with(Variants::Off, settings)), variants(scene, with(Variants::On, settings));
     std::set<float> values;
     for (const Shot& shot : shots) {
         FloatImage pictures[2];
-        Drawing* drawings[] = {&whole, &parts};
+        Drawing* drawings[] = {&full, &variants};
         for (int i = 0; i < 2; ++i) {
             View& view = drawings[i]->view;
             view.camera.eye = shot.eye;
@@ -48,8 +48,8 @@ void expectSame(const Scene& scene, const std::vector<Shot>& shots, const Settin
         values.insert(pictures[0].pixels.begin(), pictures[0].pixels.end());
     }
     EXPECT_GT(values.size(), 1000u) << what;
-    EXPECT_GT(parts.renderer().stats().sourceBytes, whole.renderer().stats().sourceBytes + 1000)
-        << what << ": there was no part";
+    EXPECT_GT(variants.renderer().stats().sourceBytes, full.renderer().stats().sourceBytes + 1000)
+        << what << ": there was no base variant";
 }
 
 struct Known {
@@ -57,9 +57,9 @@ struct Known {
     std::vector<Shot> shots;
 };
 
-class PartsOf : public testing::TestWithParam<Known> {};
+class VariantsOf : public testing::TestWithParam<Known> {};
 
-TEST_P(PartsOf, AreTheWholePicture) {
+TEST_P(VariantsOf, DrawTheFullVariantsPicture) {
     const Scene scene = sceneNamed(GetParam().name);
     for (const int depth : {1, 3, 8})
         for (const ShadowModel shadows : {ShadowModel::Off, ShadowModel::Hard}) {
@@ -73,7 +73,7 @@ TEST_P(PartsOf, AreTheWholePicture) {
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    Scenes, PartsOf,
+    Scenes, VariantsOf,
     testing::Values(
         Known{"lite", {{{0, 0, 35}, {0, 0, 0}}, {{12, 4, 20}, {0, -1, 0}, 3.7}, {{-9, 1, 3}, {-7, 0, 0}, 1, 90}}},
         Known{"pro",
@@ -86,7 +86,7 @@ INSTANTIATE_TEST_SUITE_P(
         Known{"torus", {{{0, 1.6, 5}, {0, -0.15, 0}}, {{0.3, 0.2, 40}, {0, 0, 0}, 0, 10}}}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
-TEST(Parts, HaveTheSkyOfAllShadowModels) {
+TEST(ShaderVariants, HaveTheSkyOfAllShadowModels) {
     for (const ShadowModel model : {ShadowModel::Silhouette, ShadowModel::Montecarlo}) {
         Settings settings;
         settings.shadows = model;
@@ -97,7 +97,7 @@ TEST(Parts, HaveTheSkyOfAllShadowModels) {
 }
 
 /// A march hits what its pixel's cone grazes, if only within the ball about the object.
-TEST(Parts, OfDistanceObjectsAreTheWholePicture) {
+TEST(ShaderVariants, OfDistanceObjectsDrawTheFullVariantsPicture) {
     for (const char* name : {"solids", "mandelbulb", "complex"})
         for (const March march : {March::Cone, March::Sphere}) {
             const Scene scene = sceneNamed(name);
@@ -108,18 +108,18 @@ TEST(Parts, OfDistanceObjectsAreTheWholePicture) {
         }
 }
 
-TEST(Parts, FarFromTheOriginAreTheWholePicture) {
+TEST(ShaderVariants, FarFromTheOriginDrawTheFullVariantsPicture) {
     const glm::dvec3 by{30000, -7000, 500};
     expectSame(moved(sceneNamed("pro"), by), {{by + glm::dvec3(0, 0, 35), by}, {by + glm::dvec3(14, 2, 8), by}}, {},
                "far away");
 }
 
-/// All that may be rare in a room of mirrors and much that is not, small and far and near, some in motion.
+/// All features that may be uncommon in a room of mirrors and much that is not, small and far and near, some in motion.
 Scene crowd(std::uint64_t seed) {
     Dice dice(seed);
     const auto number = [](double x) { return std::to_string(x); };
     const auto point = [&](glm::dvec3 p) { return "[" + number(p.x) + "," + number(p.y) + "," + number(p.z) + "]"; };
-    const auto place = [&] { return point(dice.point(6)); };
+    const auto position = [&] { return point(dice.point(6)); };
     const auto direction = [&] { return point(dice.point(1) + glm::dvec3(0, 0, 2)); };
     const char* materials[] = {"mirror", "glass", "bumpy", "wet", "plain", "plain"};
     std::string objects;
@@ -128,20 +128,20 @@ Scene crowd(std::uint64_t seed) {
                    materials[int(dice.number(0, 6))] + R"(","casts_shadow":)" +
                    (dice.number(0, 1) < 0.8 ? "true" : "false");
         if (dice.number(0, 1) < 0.2)
-            objects += R"(,"motion":{"orbit":{"cos":)" + place() + R"(,"sin":[0,1,0],"rate":1.5}})";
+            objects += R"(,"motion":{"orbit":{"cos":)" + position() + R"(,"sin":[0,1,0],"rate":1.5}})";
         objects += "}";
     };
     for (int i = 0; i < 5; ++i)
-        add(R"("sphere":{"center":)" + place() + R"(,"radius":)" + number(dice.number(0.05, 0.5)) + "}");
+        add(R"("sphere":{"center":)" + position() + R"(,"radius":)" + number(dice.number(0.05, 0.5)) + "}");
     for (int i = 0; i < 2; ++i)
-        add(R"("torus":{"center":)" + place() + R"(,"axis":)" + direction() +
+        add(R"("torus":{"center":)" + position() + R"(,"axis":)" + direction() +
             R"(,"major_radius":0.5,"minor_radius":0.2})");
     for (const char* kind : {"cylinder", "capsule", "cone"}) {
         const glm::dvec3 from = dice.point(6);
         add("\"" + std::string(kind) + R"(":{"from":)" + point(from) + R"(,"to":)" +
             point(from + dice.point(0.4) + glm::dvec3(0.5, 0, 0)) + R"(,"radius":0.3})");
     }
-    add(R"("box":{"center":)" + place() + R"(,"half_size":[0.3,0.4,0.5]})");
+    add(R"("box":{"center":)" + position() + R"(,"half_size":[0.3,0.4,0.5]})");
     add(R"("triangle":{"vertices":[[-9,-5,-8],[9,-5,-8],[0,8,-9]]})");
     add(R"("disc":{"center":[0,-6,0],"normal":[0.1,1,0],"radius":14})");
     return sceneFrom(R"({"background":{"color":[0.2,0.3,0.5]},"camera":{"eye":[0,2,30],"target":[0,0,0]},
@@ -154,14 +154,14 @@ Scene crowd(std::uint64_t seed) {
                      objects + "]}");
 }
 
-TEST(Parts, OfCrowdsAreTheWholePicture) {
-    int rareKinds = 0, rareGlass = 0, rareMaps = 0;
+TEST(ShaderVariants, OfCrowdsDrawTheFullVariantsPicture) {
+    int uncommonKinds = 0, uncommonGlass = 0, uncommonMaps = 0;
     for (std::uint64_t seed = 1; seed <= 8; ++seed) {
         const Scene scene = crowd(seed);
         const ScreenSplit split = splitPlanOf(*prepare(scene), {}, tunedFor(Rasteriser::Llvmpipe)).split;
-        for (const ScreenSplit::Kind& kind : split.kinds) rareKinds += kind.shape;
-        rareGlass += split.refraction;
-        rareMaps += split.normalMaps;
+        for (const ScreenSplit::Kind& kind : split.kinds) uncommonKinds += kind.shape;
+        uncommonGlass += split.refraction;
+        uncommonMaps += split.normalMaps;
         Dice dice(100 + seed);
         std::vector<Shot> shots{{{0, 2, 30}, {0, 0, 0}}};
         for (int i = 0; i < 4; ++i)
@@ -170,12 +170,12 @@ TEST(Parts, OfCrowdsAreTheWholePicture) {
         settings.depth = 6;
         expectSame(scene, shots, settings, "crowd " + std::to_string(seed));
     }
-    EXPECT_GT(rareKinds, 15);
-    EXPECT_GT(rareGlass, 3);
-    EXPECT_GT(rareMaps, 3);
+    EXPECT_GT(uncommonKinds, 15);
+    EXPECT_GT(uncommonGlass, 3);
+    EXPECT_GT(uncommonMaps, 3);
 }
 
-TEST(Parts, ComeInBandsAsInOne) {
+TEST(ShaderVariants, ComeInBandsAsInOne) {
     offscreen();
     constexpr int kWidth = 160, kHeight = 120;
     Drawing drawing(sceneNamed("pro"), with(Variants::On, {}));

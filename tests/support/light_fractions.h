@@ -46,17 +46,18 @@ inline BatchLit under(double radius, glm::vec3 point = glm::vec3(0)) {
     return {point, 1e-3f, {0, 0, 1}, -1, point + glm::vec3(0, 0, kAway), float(radius)};
 }
 
-inline std::vector<double> sharesOf(const std::string& objects, const Settings& settings,
-                                    const std::vector<BatchLit>& lit, std::span<const ShaderFile> overrides = {}) {
+inline std::vector<double> lightFractionsOf(const std::string& objects, const Settings& settings,
+                                            const std::vector<BatchLit>& lit,
+                                            std::span<const ShaderFile> overrides = {}) {
     offscreen();
     Problems problems;
     LightBatch batch(sceneFrom(R"({"lights": [{"point": {"position": [0, 0, 9]}}], "objects": [)" + objects + "]}"),
                      settings, problems, overrides);
     EXPECT_TRUE(batch.valid()) << toString(problems);
-    std::vector<double> shares;
+    std::vector<double> fractions;
     if (batch.valid())
-        for (const BatchShade& shade : batch.shade(lit)) shares.push_back(shade.visibility);
-    return shares;
+        for (const BatchShade& shade : batch.shade(lit)) fractions.push_back(shade.visibility);
+    return fractions;
 }
 
 /// Root of the mean squared difference.

@@ -61,7 +61,7 @@ Spread measured(std::mt19937& random, double mean, double noise, int rounds) {
     return {quartilesOf(times), double(rounds)};
 }
 
-/// Share of columns of two runs of one program of which a row or more is told apart.
+/// Fraction of columns of two runs of one program of which a row or more is told apart.
 double falseColumns(int rounds, std::size_t rows, int columns) {
     std::mt19937 random(1);
     int wrong = 0;

@@ -21,12 +21,12 @@ using Boxes = std::vector<Bounds>;
 
 Bounds boxAt(glm::dvec3 middle, glm::dvec3 half) { return {glm::vec3(middle - half), glm::vec3(middle + half)}; }
 
-/// Somewhere in a box of this half size about `middle`, each smaller by `share`.
-Boxes scattered(int count, glm::dvec3 middle, glm::dvec3 reach, double share) {
+/// Somewhere in a box of this half size about `middle`, each smaller by `fraction`.
+Boxes scattered(int count, glm::dvec3 middle, glm::dvec3 reach, double fraction) {
     Dice dice(4);
     Boxes boxes;
     for (int i = 0; i < count; ++i)
-        boxes.push_back(boxAt(middle + reach * dice.point(1), share * dice.number(0, 1) * reach));
+        boxes.push_back(boxAt(middle + reach * dice.point(1), fraction * dice.number(0, 1) * reach));
     return boxes;
 }
 
@@ -212,8 +212,8 @@ bool meetsExactly(const Bounds& box, const Ray& ray) {
 
 /// Some point of the box, often of a face, an edge or a corner of it.
 glm::dvec3 placeIn(Dice& dice, const Bounds& box) {
-    const auto share = [&] { return std::clamp(dice.number(-0.3, 1.3), 0.0, 1.0); };
-    return glm::mix(glm::dvec3(box.low), glm::dvec3(box.high), glm::dvec3(share(), share(), share()));
+    const auto fraction = [&] { return std::clamp(dice.number(-0.3, 1.3), 0.0, 1.0); };
+    return glm::mix(glm::dvec3(box.low), glm::dvec3(box.high), glm::dvec3(fraction(), fraction(), fraction()));
 }
 
 /// Long enough for a ray to aim: a point has no size of its own but what float32 resolves there.

@@ -12,7 +12,7 @@ namespace {
 constexpr int kSweepCount = 64;
 constexpr int kBins = 32;
 
-/// Splits closer in cost than this share are equal but for rounding.
+/// Splits closer in cost than this fraction are equal but for rounding.
 constexpr double kEqual = 1e-6;
 
 struct Range {
@@ -109,7 +109,7 @@ class Builder {
         }
     }
 
-    /// Half of the primitives, which is as good as any other cut where all lie at one place.
+    /// Half of the primitives, which is as good as any other cut where all lie at one position.
     Split halved(Range range) {
         const int left = range.count / 2;
         const double cost = halfArea(boxOf({range.first, left})) * left +
@@ -175,17 +175,17 @@ class Builder {
     }
 
     Split binned(Range range) {
-        Bounds places;
+        Bounds centers;
         for (Order i = begin(range); i != end(range); ++i) {
             const glm::vec3 center = centers_[std::size_t(*i)];
-            places = merged(places, {center, center});
+            centers = merged(centers, {center, center});
         }
         Split best = halved(range);
         Bins chosen{};
         int last = -1;
         for (int axis = 0; axis < 3; ++axis) {
-            const float low = places.low[axis], high = places.high[axis];
-            if (!(float(kBins) / (high - low) < std::numeric_limits<float>::max())) continue; // at one place
+            const float low = centers.low[axis], high = centers.high[axis];
+            if (!(float(kBins) / (high - low) < std::numeric_limits<float>::max())) continue; // at one position
             const Bins bins = fill(range, axis, low, high);
             const int found = cut(bins, range.count, best);
             if (found < 0) continue;

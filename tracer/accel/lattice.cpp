@@ -22,7 +22,7 @@ double ballOf(const Shape& shape) {
     return shape.kind == ShapeKind::Sphere ? lengthOf(shape, "radius") : glm::length(halfSizeOf(extentOf(shape)));
 }
 
-/// The same shape at one place: what makes two objects equal.
+/// The same shape at one position: what makes two objects equal.
 Shape atHome(const Shape& shape) { return translated(shape, -middleOf(extentOf(shape))); }
 
 bool equal(const Shape& a, const Shape& b) {
@@ -37,21 +37,21 @@ struct Row {
     double first = 0, step = 0;
     int count = 0;
 
-    int pointAt(double place) const { return step > 0 ? int(std::lround((place - first) / step)) : 0; }
+    int pointAt(double position) const { return step > 0 ? int(std::lround((position - first) / step)) : 0; }
 };
 
-/// Of places that may repeat; count is 0 where they are not evenly spaced. A row of one point steps by its own size.
-Row rowOf(std::vector<double> places, double size) {
-    std::sort(places.begin(), places.end());
-    Row row{places.front(), 2 * size, 1};
-    const double length = places.back() - places.front();
+/// Of positions that may repeat; count is 0 where they are not evenly spaced. A row of one point steps by its own size.
+Row rowOf(std::vector<double> positions, double size) {
+    std::sort(positions.begin(), positions.end());
+    Row row{positions.front(), 2 * size, 1};
+    const double length = positions.back() - positions.front();
     if (length <= kStray * size) return row;
-    const auto second = std::upper_bound(places.begin(), places.end(), places.front() + 0.5 * size);
-    if (second == places.end()) return {};
+    const auto second = std::upper_bound(positions.begin(), positions.end(), positions.front() + 0.5 * size);
+    if (second == positions.end()) return {};
     row.count = int(std::lround(length / (*second - row.first))) + 1;
     row.step = length / (row.count - 1);
-    for (const double place : places)
-        if (std::abs(row.first + row.pointAt(place) * row.step - place) > kStray * row.step) return {};
+    for (const double position : positions)
+        if (std::abs(row.first + row.pointAt(position) * row.step - position) > kStray * row.step) return {};
     return row;
 }
 
@@ -67,9 +67,9 @@ std::optional<Lattice> latticeOf(std::span<const Shape> shapes, const std::vecto
     std::array<Row, 3> rows;
     Lattice lattice;
     for (int axis = 0; axis < 3; ++axis) {
-        std::vector<double> places;
-        for (const int i : members) places.push_back(middleOf(extentOf(shapes[std::size_t(i)]))[axis]);
-        Row& row = rows[std::size_t(axis)] = rowOf(places, size[axis]);
+        std::vector<double> positions;
+        for (const int i : members) positions.push_back(middleOf(extentOf(shapes[std::size_t(i)]))[axis]);
+        Row& row = rows[std::size_t(axis)] = rowOf(positions, size[axis]);
         const double farthest = std::max(std::abs(row.first), std::abs(row.first + row.count * row.step));
         if (row.count == 0 || size[axis] > (1 - 2 * (kRoom + kStray)) * row.step || farthest > kFarthest * row.step)
             return std::nullopt;

@@ -23,7 +23,7 @@ class Grid {
     }
 
     glm::vec4 node(const Bounds& box, int link) const {
-        // An eighth of a cell for the rounding of the place below.
+        // An eighth of a cell for the rounding of the position below.
         const glm::vec3 low = glm::floor((box.low - low_) * cellsPerUnit_ - 0.125f);
         const glm::vec3 high = glm::ceil((box.high - low_) * cellsPerUnit_ + 0.125f);
         const glm::vec3 first = glm::max(low, 0.0f), last = glm::min(high, float(kQuantisationSteps));

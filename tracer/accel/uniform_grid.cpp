@@ -59,8 +59,8 @@ struct Reach {
 
     Reach(const Grid& grid, const Bounds& object) {
         const glm::dvec3 last(grid.count - 1);
-        const auto cellAt = [&](glm::dvec3 place, double room) {
-            return glm::ivec3(glm::clamp(glm::floor((place - grid.low) / grid.size + room), glm::dvec3(0), last));
+        const auto cellAt = [&](glm::dvec3 position, double room) {
+            return glm::ivec3(glm::clamp(glm::floor((position - grid.low) / grid.size + room), glm::dvec3(0), last));
         };
         from = cellAt(object.low, -kRoom);
         to = cellAt(object.high, kRoom);

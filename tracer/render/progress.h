@@ -5,10 +5,10 @@ namespace gnomon {
 
 struct Progress {
     bool wanted = false; ///< there is a scene to draw
-    double compiled = 0; ///< share of the programs that are ready
-    double images = 0;   ///< share of the scene's images that have come
-    double baked = 1;    ///< share of the scene's fields that are baked
-    double samples = 0;  ///< share of the picture at full resolution that is drawn since it last changed
+    double compiled = 0; ///< fraction of the programs that are ready
+    double images = 0;   ///< fraction of the scene's images that have come
+    double baked = 1;    ///< fraction of the scene's fields that are baked
+    double samples = 0;  ///< fraction of the picture at full resolution that is drawn since it last changed
     bool failed = false; ///< a program does not compile: what drew before draws on
 
     /// All programs are there: the picture is the one that was asked for.

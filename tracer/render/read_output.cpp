@@ -78,9 +78,9 @@ FloatImage OutputReader::meanOfBatches(const Drawing& drawing, const View& view,
         batch.firstSample = all.firstSample + done;
         batch.samples = std::min(most, all.samples - done);
         FloatImage part = valuesOf(drawing, batch, view, frame, info, problems);
-        const float share = float(batch.samples) / float(all.samples);
+        const float weight = float(batch.samples) / float(all.samples);
         if (sum.pixels.empty()) sum = {part.width, part.height, part.channels, std::vector<float>(part.pixels.size())};
-        for (std::size_t i = 0; i < part.pixels.size(); ++i) sum.pixels[i] += share * part.pixels[i];
+        for (std::size_t i = 0; i < part.pixels.size(); ++i) sum.pixels[i] += weight * part.pixels[i];
     }
     return sum;
 }

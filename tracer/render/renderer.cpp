@@ -117,7 +117,7 @@ struct Renderer::Impl {
     Progress poll(Problems& problems) {
         Progress progress{.wanted = bool(wanted.scene)};
         if (!wanted.scene) return progress;
-        progress.images = wanted.scene->images().share(frame.pictures);
+        progress.images = wanted.scene->images().fraction(frame.pictures);
         progress.failed =
             !wanted.trace.began() || std::count(wanted.fullScreen.begin(), wanted.fullScreen.end(), nullptr) > 0;
         if (!wanted) return progress;
@@ -130,7 +130,7 @@ struct Renderer::Impl {
         return progress;
     }
 
-    /// Share of the full-screen passes that are ready.
+    /// Fraction of the full-screen passes that are ready.
     double pollFullScreen(Progress& progress, Problems& problems) {
         int ready = 0;
         for (const auto& pass : wanted.fullScreen) {

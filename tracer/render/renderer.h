@@ -55,7 +55,7 @@ class Renderer {
     /// Draws `rows` more of the picture at `scale` aside; nothing is shown. It begins anew where view or version() have
     /// changed.
     void refine(const View&, double scale, int rows);
-    /// Share of that picture that is drawn.
+    /// Fraction of that picture that is drawn.
     double refined() const;
     /// Shows again what draw() drew last, and over it the rows that refine() has drawn.
     void show(const View&, unsigned framebuffer);

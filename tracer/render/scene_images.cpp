@@ -32,7 +32,7 @@ void SceneImages::arrived(const std::string& name) {
     skyStale_ |= std::find(prepared_->skyFaces.begin(), prepared_->skyFaces.end(), name) != prepared_->skyFaces.end();
 }
 
-double SceneImages::share(const Pictures& pictures) const {
+double SceneImages::fraction(const Pictures& pictures) const {
     int wanted = 0, there = 0;
     const auto count = [&](const std::string& name) {
         if (name.empty()) return;

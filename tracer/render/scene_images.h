@@ -21,8 +21,8 @@ class SceneImages {
 
     /// A picture has come, or another in its place: what shows it is uploaded anew.
     void arrived(const std::string& name);
-    /// Share of the scene's images that are among the pictures.
-    double share(const Pictures&) const;
+    /// Fraction of the scene's images that are among the pictures.
+    double fraction(const Pictures&) const;
 
     /// Uploads what is not there as it should be, and binds all. Answers the tiles that paints and normals take where
     /// they are new. A problem where images are drawn smaller than they are.

@@ -23,7 +23,7 @@ glm::dvec3 rounded(glm::dvec3 point) {
     return point;
 }
 
-bool samePlace(const CameraPose& a, const CameraPose& b) {
+bool samePose(const CameraPose& a, const CameraPose& b) {
     return a.eye == b.eye && a.target == b.target && a.fov == b.fov;
 }
 
@@ -39,7 +39,7 @@ Viewer::Viewer(const Settings& settings, std::function<void(const std::string&)>
 bool Viewer::setScene(Scene scene, Problems& problems) {
     if (!renderer_.setScene(scene, problems)) return false;
     const bool again = hasScene_ && scene.file == scene_.file && scene.name == scene_.name;
-    const bool userMoved = !samePlace(camera_.pose(), home_);
+    const bool userMoved = !samePose(camera_.pose(), home_);
     const CameraPose moved = camera_.pose();
     if (hasScene_ && !again) settings_.eye = settings_.target = {}, settings_.fov = {};
     scene_ = std::move(scene);
@@ -187,7 +187,7 @@ void Viewer::refine(unsigned framebuffer) {
 
 int Viewer::sharpHeight() const { return scaled(last_.view, settings_.scale).height; }
 
-/// Share of the picture at full resolution that is drawn.
+/// Fraction of the picture at full resolution that is drawn.
 double Viewer::refined() const { return last_.scale >= settings_.scale ? 1 : last_.band ? renderer_.refined() : 0; }
 
 bool Viewer::sharp() const { return last_.scale > 0 && refined() >= 1; }

@@ -1,4 +1,4 @@
-/// The first place where a function along a ray falls through 0, given nothing but its values.
+/// The first position where a function along a ray falls through 0, given nothing but its values.
 ///
 /// The stretch is sampled, every dip between samples is searched for its bottom, every change of sign is bisected.
 /// `tangency` is how far the answer is from being another one: the least |value| at the bottom of any dip passed or

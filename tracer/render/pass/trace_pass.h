@@ -22,7 +22,7 @@ class TracePass {
 
     const View& view() const { return view_; }
     int rows() const { return rows_; } ///< that are drawn, from the lowest up
-    /// Share of the picture that is drawn.
+    /// Fraction of the picture that is drawn.
     double done() const { return view_.height > 0 ? double(rows_) / view_.height : 0; }
     const gl::Target& picture() const { return picture_; }
 
