@@ -9,7 +9,8 @@ namespace {
 using Bytes = std::span<const std::uint8_t>;
 
 constexpr std::array<std::uint8_t, 8> kSignature{0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
-constexpr std::size_t kAroundChunk = 12; ///< length and name before it, checksum behind it
+constexpr std::size_t kBeforeChunk = 8;  ///< length and name
+constexpr std::size_t kAroundChunk = 12; ///< and the checksum behind it, which a file that was cut may lack
 
 std::uint32_t numberAt(Bytes bytes, std::size_t at) {
     return std::uint32_t(bytes[at]) << 24 | std::uint32_t(bytes[at + 1]) << 16 | std::uint32_t(bytes[at + 2]) << 8 |
@@ -56,7 +57,7 @@ std::optional<PngHeader> pngHeader(Bytes bytes) {
 
 std::optional<std::vector<std::uint8_t>> withoutEmptyChunks(Bytes bytes) {
     std::uint64_t at = kSignature.size(); // whatever length a chunk claims, this does not overflow
-    const auto chunkHere = [&] { return isPng(bytes) && at + kAroundChunk <= bytes.size(); };
+    const auto chunkHere = [&] { return isPng(bytes) && at + kBeforeChunk <= bytes.size(); };
     while (chunkHere() && numberAt(bytes, std::size_t(at) + 4) != named("IDAT"))
         at += kAroundChunk + numberAt(bytes, std::size_t(at));
     const std::uint64_t begin = at;
@@ -65,7 +66,8 @@ std::optional<std::vector<std::uint8_t>> withoutEmptyChunks(Bytes bytes) {
         at += kAroundChunk;
     if (at == begin) return std::nullopt;
     std::vector<std::uint8_t> rest(bytes.begin(), bytes.begin() + std::ptrdiff_t(begin));
-    rest.insert(rest.end(), bytes.begin() + std::ptrdiff_t(at), bytes.end());
+    const auto kept = std::min(at, std::uint64_t(bytes.size()));
+    rest.insert(rest.end(), bytes.begin() + std::ptrdiff_t(kept), bytes.end());
     return rest;
 }
 
