@@ -30,7 +30,7 @@ struct Bench {
     std::vector<std::pair<std::string, std::string>> values;
     std::vector<BenchScene> scenes;
     std::unique_ptr<BenchRun> run;
-    std::string place;
+    std::string source;
     Problems problems; ///< until the page takes them
 };
 std::unique_ptr<Bench> bench;
@@ -49,12 +49,12 @@ extern "C" {
 
 /// Scenes' names one a line, settings in lines `key=VALUE,…`.
 EMSCRIPTEN_KEEPALIVE const char* benchPlan(const char* scenes, const char* settings, const char* baseline,
-                                           const char* place) {
+                                           const char* source) {
     bench = std::make_unique<Bench>();
     bench->values = pairsOf(settings);
-    bench->place = place;
+    bench->source = source;
     Problems problems;
-    bench->plan = planBench(linesOf(scenes), bench->values, baseline, problems, place);
+    bench->plan = planBench(linesOf(scenes), bench->values, baseline, problems, source);
     return give(toString(problems));
 }
 
@@ -94,7 +94,7 @@ EMSCRIPTEN_KEEPALIVE const char* benchImage(const char* name, const std::uint8_t
 EMSCRIPTEN_KEEPALIVE const char* benchBegin(double clockStep, const char* renderer) {
     Problems problems;
     for (const BenchEntry& entry : bench->plan.entries)
-        if (!poseOf(bench->scenes[entry.scene].scene, entry.settings, bench->place, problems)) break;
+        if (!poseOf(bench->scenes[entry.scene].scene, entry.settings, bench->source, problems)) break;
     const BenchMeans means{monotonicSeconds, nullptr, clockStep, !gl::drawnByProcessor(renderer), nullptr};
     if (problems.empty()) bench->run = std::make_unique<BenchRun>(bench->plan, bench->scenes, means, problems);
     return give(toString(problems));

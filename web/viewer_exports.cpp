@@ -17,11 +17,11 @@ using namespace gnomon;
 extern "C" {
 
 /// Makes the viewer with the settings in lines `key=value`; the problems are of those that were skipped.
-EMSCRIPTEN_KEEPALIVE const char* createViewer(const char* lines, const char* place) {
+EMSCRIPTEN_KEEPALIVE const char* createViewer(const char* lines, const char* source) {
     Settings settings;
     Problems problems;
     gl::load(nullptr, problems);
-    for (const auto& [key, value] : pairsOf(lines)) setFromText(settings, key, value, place, problems);
+    for (const auto& [key, value] : pairsOf(lines)) setFromText(settings, key, value, source, problems);
     host.viewer = std::make_unique<Viewer>(settings, [](const std::string& line) { reportToPage(line.c_str()); });
     return give(toString(problems));
 }
@@ -39,7 +39,7 @@ EMSCRIPTEN_KEEPALIVE const char* loadScene(const char* text, const char* name) {
     return give(toString(problems));
 }
 
-/// Names of the images of the scene in place, one a line.
+/// Names of the images of the scene in view, one a line.
 EMSCRIPTEN_KEEPALIVE const char* imageNames() { return give(inLines(imagesOf(host.viewer->scene()))); }
 
 EMSCRIPTEN_KEEPALIVE const char* giveImage(const char* name, const std::uint8_t* bytes, int size) {
@@ -53,9 +53,9 @@ EMSCRIPTEN_KEEPALIVE const char* giveImage(const char* name, const std::uint8_t*
 
 EMSCRIPTEN_KEEPALIVE const char* settingsTableJson() { return give(settingsJson()); }
 
-EMSCRIPTEN_KEEPALIVE const char* setSetting(const char* key, const char* text, const char* place) {
+EMSCRIPTEN_KEEPALIVE const char* setSetting(const char* key, const char* text, const char* source) {
     Problems problems;
-    host.viewer->set(key, text, place, problems);
+    host.viewer->set(key, text, source, problems);
     return give(toString(problems));
 }
 

@@ -10,8 +10,8 @@ constexpr std::size_t kMostEntries = 2000;
 
 using Values = std::span<const std::pair<std::string, std::string>>;
 
-Problem wrong(std::string_view place, const std::string& key, const std::string& what, const std::string& remedy) {
-    return {std::string(place), 0, key, what, remedy};
+Problem wrong(std::string_view source, const std::string& key, const std::string& what, const std::string& remedy) {
+    return {std::string(source), 0, key, what, remedy};
 }
 
 std::vector<std::string> split(const std::string& list) {
@@ -43,11 +43,11 @@ std::vector<std::string> wordsOf(const SettingRow& row, const std::string& text)
 }
 
 /// Each value once, as textOf() writes it.
-Axis axisOf(const SettingRow& row, const std::string& text, std::string_view place, Problems& problems) {
+Axis axisOf(const SettingRow& row, const std::string& text, std::string_view source, Problems& problems) {
     Axis axis{&row, {}};
     for (const std::string& word : wordsOf(row, text)) {
         Settings settings;
-        if (!setFromText(settings, row.key, word, place, problems)) continue;
+        if (!setFromText(settings, row.key, word, source, problems)) continue;
         const std::string value = textOf(row, settings);
         if (std::find(axis.values.begin(), axis.values.end(), value) == axis.values.end()) axis.values.push_back(value);
     }
@@ -63,19 +63,19 @@ const std::string* given(Values values, const SettingRow& row) {
 }
 
 /// Those that columns show. Settings with one value go into `fixed`.
-std::vector<Axis> axesOf(Values values, Settings& fixed, std::string_view place, Problems& problems) {
+std::vector<Axis> axesOf(Values values, Settings& fixed, std::string_view source, Problems& problems) {
     const auto standard = [&](std::string_view key) {
         const SettingRow& row = *findSetting(key);
         const std::string* text = given(values, row);
-        return axisOf(row, text ? *text : standardList(key), place, problems);
+        return axisOf(row, text ? *text : standardList(key), source, problems);
     };
     std::vector<Axis> axes{standard("size")};
     for (const SettingRow& row : settingsTable()) {
         const std::string* text = given(values, row);
         if (!text || row.key == "size" || row.key == "depth" || row.key == "shadows") continue;
-        Axis axis = axisOf(row, *text, place, problems);
+        Axis axis = axisOf(row, *text, source, problems);
         if (axis.values.size() == 1)
-            setFromText(fixed, row.key, axis.values.front(), place, problems);
+            setFromText(fixed, row.key, axis.values.front(), source, problems);
         else
             axes.push_back(std::move(axis));
     }
@@ -97,11 +97,11 @@ BenchEntry entryOf(std::size_t scene, std::size_t number, const std::vector<Axis
     return entry;
 }
 
-void combine(BenchPlan& plan, const Settings& fixed, std::string_view place, Problems& problems) {
+void combine(BenchPlan& plan, const Settings& fixed, std::string_view source, Problems& problems) {
     std::size_t combinations = 1;
     for (const Axis& axis : plan.axes) combinations = std::min(combinations * axis.values.size(), kMostEntries + 1);
     if (combinations * plan.scenes.size() > kMostEntries) {
-        problems.push_back(wrong(place, {}, "these lists make more than " + std::to_string(kMostEntries) + " rows",
+        problems.push_back(wrong(source, {}, "these lists make more than " + std::to_string(kMostEntries) + " rows",
                                  "give fewer values"));
         return;
     }
@@ -122,9 +122,9 @@ std::string sayAxes(const BenchPlan& plan) {
 }
 
 void prescribe(const std::string& key, const std::string& text, const BenchPlan& plan, Prescribed& prescribed,
-               std::string_view place, Problems& problems) {
+               std::string_view source, Problems& problems) {
     const auto refuse = [&](const std::string& what, const std::string& remedy) {
-        problems.push_back(wrong(place, "baseline", what, remedy));
+        problems.push_back(wrong(source, "baseline", what, remedy));
     };
     if (key == "scene") {
         const auto found = std::find(plan.scenes.begin(), plan.scenes.end(), text);
@@ -140,12 +140,12 @@ void prescribe(const std::string& key, const std::string& text, const BenchPlan&
     const std::string value(choice ? renamed(text, choice->renamed) : text);
     if (std::find(axis->values.begin(), axis->values.end(), value) == axis->values.end())
         return refuse(std::string(row->key) + " is never '" + text + "' here",
-                      "add it to " + spelled(place, row->key) + ", or choose one of its values");
+                      "add it to " + spelled(source, row->key) + ", or choose one of its values");
     prescribed.values[std::size_t(axis - plan.axes.begin())] = value;
 }
 
 /// Where nothing is prescribed: the first value of every axis.
-Prescribed prescribedBy(const std::string& baseline, const BenchPlan& plan, std::string_view place,
+Prescribed prescribedBy(const std::string& baseline, const BenchPlan& plan, std::string_view source,
                         Problems& problems) {
     Prescribed prescribed{std::vector<std::optional<std::string>>(plan.axes.size()), {}};
     if (baseline.empty()) {
@@ -155,23 +155,23 @@ Prescribed prescribedBy(const std::string& baseline, const BenchPlan& plan, std:
     for (const std::string& pair : split(baseline)) {
         const std::size_t equals = pair.find('=');
         if (equals == std::string::npos)
-            problems.push_back(wrong(place, "baseline", "'" + pair + "' is no KEY=VALUE",
-                                     "write it as " + spelled(place, "baseline") + "=shadows=off"));
+            problems.push_back(wrong(source, "baseline", "'" + pair + "' is no KEY=VALUE",
+                                     "write it as " + spelled(source, "baseline") + "=shadows=off"));
         else
-            prescribe(pair.substr(0, equals), pair.substr(equals + 1), plan, prescribed, place, problems);
+            prescribe(pair.substr(0, equals), pair.substr(equals + 1), plan, prescribed, source, problems);
     }
     return prescribed;
 }
 
 /// Of settings that no frame could be measured with.
-void checkKeys(Values values, std::string_view place, Problems& problems) {
+void checkKeys(Values values, std::string_view source, Problems& problems) {
     for (const auto& [key, text] : values) {
         Settings ignored;
         const SettingRow* row = findSetting(key);
         if (!row)
-            setFromText(ignored, key, text, place, problems); // says what may be meant
+            setFromText(ignored, key, text, source, problems); // says what may be meant
         else if (!isBenchSetting(*row))
-            problems.push_back(wrong(place, key, "no frame that is drawn for measuring depends on it", "leave it out"));
+            problems.push_back(wrong(source, key, "no frame that is drawn for measuring depends on it", "leave it out"));
     }
 }
 
@@ -195,18 +195,18 @@ bool isBenchSetting(const SettingRow& row) {
 bool takesList(const SettingRow& row) { return !std::holds_alternative<OptionalPointType>(row.type); }
 
 BenchPlan planBench(const std::vector<std::string>& scenes, Values values, const std::string& baseline,
-                    Problems& problems, std::string_view place) {
+                    Problems& problems, std::string_view source) {
     const std::size_t before = problems.size();
     BenchPlan plan;
     for (const std::string& scene : scenes)
         if (std::find(plan.scenes.begin(), plan.scenes.end(), scene) == plan.scenes.end()) plan.scenes.push_back(scene);
-    if (plan.scenes.empty()) problems.push_back(wrong(place, "scenes", "there is none", "name at least one"));
-    checkKeys(values, place, problems);
+    if (plan.scenes.empty()) problems.push_back(wrong(source, "scenes", "there is none", "name at least one"));
+    checkKeys(values, source, problems);
     Settings fixed;
-    plan.axes = axesOf(values, fixed, place, problems);
+    plan.axes = axesOf(values, fixed, source, problems);
     if (problems.size() > before) return plan;
-    combine(plan, fixed, place, problems);
-    const Prescribed prescribed = prescribedBy(baseline, plan, place, problems);
+    combine(plan, fixed, source, problems);
+    const Prescribed prescribed = prescribedBy(baseline, plan, source, problems);
     if (problems.size() > before) return plan;
     for (const BenchEntry& entry : plan.entries) plan.baselines.push_back(baselineOf(entry, plan, prescribed));
     plan.baselineText = baseline.empty() ? "first" : baseline;

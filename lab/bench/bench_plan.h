@@ -41,9 +41,9 @@ bool takesList(const SettingRow&);
 
 /// `values` are options as they were typed: lists with commas, `all` for every value of a setting that has names.
 /// `baseline` is empty, or `KEY=VALUE,…`: each entry is then told by the one that differs from it in these only. Every
-/// wrong one is a problem; `place` is where they were given.
+/// wrong one is a problem; `source` is where they were given.
 BenchPlan planBench(const std::vector<std::string>& scenes, std::span<const std::pair<std::string, std::string>> values,
-                    const std::string& baseline, Problems&, std::string_view place = "command line");
+                    const std::string& baseline, Problems&, std::string_view source = "command line");
 
 /// All that was asked for and what stood in for the rest, in the order of the table: makes the same plan again.
 std::vector<std::pair<std::string, std::string>> valuesOf(const BenchPlan&,

@@ -162,7 +162,7 @@ TEST_F(Cli, BenchRefusesWhatItDoesNotKnow) {
     expectRefused("bench --context=osmesa,metal", 2, "'metal' is none of osmesa|egl|window");
     expectRefused("bench --baseline=depth=2", 2, "depth is never '2' here");
     expectRefused("bench --json=none/all.json", 2, "none/all.json: there is no folder none; make it first");
-    expectRefused("bench lite --eye=1,2,3 --target=1,2,3", 2, "the camera looks at its own place");
+    expectRefused("bench lite --eye=1,2,3 --target=1,2,3", 2, "the camera looks at its own position");
     expectRefused("bench lite --context=osmesa,window", 3, "leave window out of --context");
 }
 
@@ -313,7 +313,7 @@ TEST_F(Cli, RefusesFilesThatCannotHoldTheOutput) {
 
 TEST_F(Cli, RefusesSettingsThatDoNotFitTheScene) {
     expectRefused("render lite -o x.pfm --aov=visibility --light=7", 2, "lite has no light 7; use 0…2");
-    expectRefused("render lite -o x.png --eye=1,2,3 --target=1,2,3", 2, "the camera looks at its own place");
+    expectRefused("render lite -o x.png --eye=1,2,3 --target=1,2,3", 2, "the camera looks at its own position");
 }
 
 TEST_F(Cli, RefusesScenesThatAreMissingOrBroken) {

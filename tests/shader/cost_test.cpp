@@ -28,17 +28,17 @@ namespace {
 using namespace test;
 
 /// One shape about the origin.
-struct Body {
+struct Subject {
     const char *name, *json;
     double size;  ///< radius of the bounding sphere
     double bound; ///< cost over the textbook's
 };
-std::ostream& operator<<(std::ostream& out, const Body& body) { return out << body.name; }
+std::ostream& operator<<(std::ostream& out, const Subject& subject) { return out << subject.name; }
 
-const Body kTorus{"torus",
+const Subject kTorus{"torus",
                   R"({"torus": {"center": [0, 0, 0], "axis": [0, 0, 1], "major_radius": 1, "minor_radius": 0.25}})",
                   1.25, 2.5};
-const Body kBodies[] = {
+const Subject kSubjects[] = {
     {"sphere", R"({"sphere": {"center": [0, 0, 0], "radius": 1}})", 1, 4},
     {"plane", R"({"plane": {"point": [0, 0, 0], "normal": [0, 1, 0]}})", 1, 4},
     {"disc", R"({"disc": {"center": [0, 0, 0], "normal": [0, 0.6, 0.8], "radius": 1}})", 1, 4},
@@ -50,9 +50,9 @@ const Body kBodies[] = {
     {"cone", R"({"cone": {"from": [0, -0.7, 0], "to": [0.1, 0.7, 0], "radius": 0.7}})", 1, 4},
 };
 
-Scene sceneOf(const Body& body) { return sceneFrom(std::string(R"({"objects": [)") + body.json + "]}"); }
+Scene sceneOf(const Subject& subject) { return sceneFrom(std::string(R"({"objects": [)") + subject.json + "]}"); }
 
-std::vector<BatchRay> raysInto(const Body& body, double distance, int count) {
+std::vector<BatchRay> raysInto(const Subject& subject, double distance, int count) {
     std::mt19937_64 random(11);
     std::uniform_real_distribution<double> number(0, 1);
     const auto direction = [&] {
@@ -62,7 +62,7 @@ std::vector<BatchRay> raysInto(const Body& body, double distance, int count) {
     std::vector<BatchRay> rays(std::size_t(count), BatchRay{});
     for (BatchRay& ray : rays) {
         const glm::dvec3 origin = distance * direction();
-        const glm::dvec3 target = body.size * std::cbrt(number(random)) * direction();
+        const glm::dvec3 target = subject.size * std::cbrt(number(random)) * direction();
         ray.origin = glm::vec3(origin);
         ray.direction = glm::vec3(glm::normalize(target - origin));
     }
@@ -106,23 +106,23 @@ void print(const std::string& what, const Ratio& ratio, double each, const char*
                 ratio.ratio, ratio.low, ratio.high, ratio.ours * each, unit);
 }
 
-Ratio intersectCost(const Body& body, double distance) {
+Ratio intersectCost(const Subject& subject, double distance) {
     const int count = 512 * 64, repeats = 16;
-    const std::vector<BatchRay> rays = raysInto(body, distance, count);
+    const std::vector<BatchRay> rays = raysInto(subject, distance, count);
     const auto batch = [&](std::span<const ShaderFile> overrides) -> std::function<double()> {
         Problems problems;
-        const auto made = std::make_shared<RayBatch>(sceneOf(body), problems, overrides);
+        const auto made = std::make_shared<RayBatch>(sceneOf(subject), problems, overrides);
         EXPECT_TRUE(made->valid()) << toString(problems);
         return [=, &rays] { return made->valid() ? made->seconds(rays, repeats, processSeconds) : 0; };
     };
     const Ratio ratio = ratioOf([&] { return Pair{batch({}), batch(textbookShaders())}; });
     char what[64];
-    std::snprintf(what, sizeof what, "%s from %g units", body.name, distance);
+    std::snprintf(what, sizeof what, "%s from %g units", subject.name, distance);
     print(what, ratio, 1e9 / (double(count) * repeats), "ns a ray");
     return ratio;
 }
 
-class Cost : public testing::TestWithParam<Body> {};
+class Cost : public testing::TestWithParam<Subject> {};
 
 // The torus must stay within 2.5 times the closed form's time, the others within a generous 4: a bound against
 // accidents.
@@ -151,7 +151,7 @@ TEST_P(Cost, ComparesWithATextbookThatAgreesFromThreeUnits) {
     EXPECT_GE(alike, 99000);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, Cost, testing::ValuesIn(kBodies),
+INSTANTIATE_TEST_SUITE_P(Shapes, Cost, testing::ValuesIn(kSubjects),
                          [](const auto& test) { return std::string(test.param.name); });
 
 // Four times the repeats take about four times as long, so that no work is shared between them; more rays than one draw

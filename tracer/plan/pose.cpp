@@ -2,7 +2,7 @@
 
 namespace gnomon {
 
-std::optional<CameraPose> poseOf(const Scene& scene, const Settings& settings, std::string_view place,
+std::optional<CameraPose> poseOf(const Scene& scene, const Settings& settings, std::string_view source,
                                  Problems& problems) {
     CameraPose pose = scene.camera;
     pose.eye = settings.eye.value_or(pose.eye);
@@ -10,11 +10,11 @@ std::optional<CameraPose> poseOf(const Scene& scene, const Settings& settings, s
     pose.fov = settings.fov.value_or(pose.fov);
     const std::size_t before = problems.size();
     const auto refuse = [&](const char* key, const std::string& what, const std::string& remedy) {
-        problems.push_back({std::string(place), 0, key, what, remedy});
+        problems.push_back({std::string(source), 0, key, what, remedy});
     };
     if (pose.eye == pose.target)
-        refuse("eye", "the camera looks at its own place",
-               "let " + spelled(place, "eye") + " and " + spelled(place, "target") + " differ");
+        refuse("eye", "the camera looks at its own position",
+               "let " + spelled(source, "eye") + " and " + spelled(source, "target") + " differ");
     const int lights = int(scene.lights.size());
     if (settings.aov == Aov::Visibility && settings.light >= lights)
         refuse("light", scene.name + " has no light " + std::to_string(settings.light),

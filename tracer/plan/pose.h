@@ -11,7 +11,7 @@
 namespace gnomon {
 
 /// The scene's camera with what the settings say instead. None, with a problem, where settings and scene do not fit
-/// together; `place` is where the settings were given, as for setFromText().
-std::optional<CameraPose> poseOf(const Scene&, const Settings&, std::string_view place, Problems&);
+/// together; `source` is where the settings were given, as for setFromText().
+std::optional<CameraPose> poseOf(const Scene&, const Settings&, std::string_view source, Problems&);
 
 } // namespace gnomon

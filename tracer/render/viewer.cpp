@@ -64,10 +64,10 @@ void Viewer::placeCamera() {
 
 void Viewer::setImage(const std::string& name, const Image& image) { renderer_.setImage(name, image); }
 
-bool Viewer::set(std::string_view key, std::string_view text, std::string_view place, Problems& problems) {
+bool Viewer::set(std::string_view key, std::string_view text, std::string_view source, Problems& problems) {
     const Settings before = settings_;
     if (isCameraKey(key)) settings_ = settings(); // so that the other two stay where the user is
-    if (!setFromText(settings_, key, text, place, problems)) {
+    if (!setFromText(settings_, key, text, source, problems)) {
         settings_ = before;
         return false;
     }

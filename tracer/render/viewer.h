@@ -29,7 +29,7 @@ class Viewer {
     const Scene& scene() const { return scene_; }
 
     /// One setting by name, as a panel or a script changes it. `eye`, `target`, `fov` and `time` act at once.
-    bool set(std::string_view key, std::string_view text, std::string_view place, Problems&);
+    bool set(std::string_view key, std::string_view text, std::string_view source, Problems&);
     /// The settings as they stand. eye, target and fov are set only where they differ from the scene's, rounded to
     /// seven digits; time is the clock's.
     Settings settings() const;

@@ -202,12 +202,12 @@ std::string textOf(const SettingRow& row, const Settings& settings) { return std
 
 std::string rangeOf(const SettingRow& row) { return std::visit(RangeText{}, row.type); }
 
-bool setFromText(Settings& settings, std::string_view key, std::string_view text, std::string_view place,
+bool setFromText(Settings& settings, std::string_view key, std::string_view text, std::string_view source,
                  Problems& problems) {
     const SettingRow* row = findSetting(key);
     if (!row) {
         const auto meant = closestKey(key);
-        problems.push_back({std::string(place),
+        problems.push_back({std::string(source),
                             0,
                             {},
                             "there is no setting " + quoted(key),
@@ -217,14 +217,14 @@ bool setFromText(Settings& settings, std::string_view key, std::string_view text
     Settings changed = settings;
     const Wrong wrong = std::visit(FromText{changed, text, *row}, row->type);
     if (wrong)
-        problems.push_back({std::string(place), 0, std::string(row->key), wrong.what, wrong.remedy});
+        problems.push_back({std::string(source), 0, std::string(row->key), wrong.what, wrong.remedy});
     else
         settings = changed;
     return !wrong;
 }
 
-std::string spelled(std::string_view place, std::string_view key) {
-    return (place == "command line" ? "--" : "") + std::string(key);
+std::string spelled(std::string_view source, std::string_view key) {
+    return (source == "command line" ? "--" : "") + std::string(key);
 }
 
 } // namespace gnomon

@@ -138,11 +138,11 @@ std::string textOf(const SettingRow&, const Settings&);
 /// Values the setting takes, for people: `1…8`, `on|off`, `off|hard`.
 std::string rangeOf(const SettingRow&);
 /// Sets one setting from text. False, with a problem that names key, range and remedy, and nothing changed, where that
-/// cannot be. `place` is the problem's file: `command line`, `URL`, ….
-bool setFromText(Settings&, std::string_view key, std::string_view text, std::string_view place, Problems&);
+/// cannot be. `source` is the problem's file: `command line`, `URL`, ….
+bool setFromText(Settings&, std::string_view key, std::string_view text, std::string_view source, Problems&);
 
-/// As who gives settings at `place` writes the key: `--depth` on the command line.
-std::string spelled(std::string_view place, std::string_view key);
+/// As who gives settings at `source` writes the key: `--depth` on the command line.
+std::string spelled(std::string_view source, std::string_view key);
 
 /// Applies a hotkey. Answers what to tell the user (`depth 5`), empty where the key is no setting's.
 std::string pressHotkey(Settings&, std::string_view key);

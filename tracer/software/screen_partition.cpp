@@ -13,7 +13,7 @@ constexpr double kMargin = 1; // pixels about a rectangle
 enum class Shows : unsigned char { Sky, Base, Uncommon };
 
 /// The box about an object, seen from the eye along the world's axes, and the ball within which it lies in that.
-struct Body {
+struct BoundedObject {
     glm::dvec3 middle, half;
     double radius;
     bool uncommon;
@@ -31,14 +31,14 @@ class Sorter {
                 continue;
             }
             const glm::dvec3 low(bounds.bounds->low), high(bounds.bounds->high), half = 0.5 * (high - low);
-            bodies_.push_back({0.5 * (low + high) - camera.eye, half,
+            objects_.push_back({0.5 * (low + high) - camera.eye, half,
                                bounds.round ? std::max({half.x, half.y, half.z}) : glm::length(half), bounds.uncommon});
         }
     }
 
     void sort() {
         std::vector<int> all;
-        for (std::size_t i = 0; i < bodies_.size(); ++i) all.push_back(int(i));
+        for (std::size_t i = 0; i < objects_.size(); ++i) all.push_back(int(i));
         sort({0, 0, columns_, rows_}, all);
     }
 
@@ -69,9 +69,9 @@ class Sorter {
         std::vector<int> seen;
         const auto planes = planesOf(pixels(part));
         for (const int i : candidates)
-            if (mayShow(planes, bodies_[std::size_t(i)])) seen.push_back(i);
+            if (mayShow(planes, objects_[std::size_t(i)])) seen.push_back(i);
         const bool uncommon = everywhere_ == Shows::Uncommon || std::any_of(seen.begin(), seen.end(), [&](int i) {
-                                  return bodies_[std::size_t(i)].uncommon;
+                                  return objects_[std::size_t(i)].uncommon;
                               });
         if (seen.empty() || (part.width == 1 && part.height == 1)) {
             const Shows shows = uncommon ? Shows::Uncommon : seen.empty() ? everywhere_ : Shows::Base;
@@ -103,11 +103,11 @@ class Sorter {
                 camera_.up - y0 * camera_.forward, y1 * camera_.forward - camera_.up, camera_.forward};
     }
 
-    /// No plane has all of the body behind it.
-    static bool mayShow(const std::array<glm::dvec3, 5>& planes, const Body& body) {
+    /// No plane has all of the object behind it.
+    static bool mayShow(const std::array<glm::dvec3, 5>& planes, const BoundedObject& object) {
         return std::all_of(planes.begin(), planes.end(), [&](glm::dvec3 normal) {
-            const double reach = std::min(glm::dot(glm::abs(normal), body.half), body.radius * glm::length(normal));
-            return glm::dot(normal, body.middle) + reach >= 0;
+            const double reach = std::min(glm::dot(glm::abs(normal), object.half), object.radius * glm::length(normal));
+            return glm::dot(normal, object.middle) + reach >= 0;
         });
     }
 
@@ -125,7 +125,7 @@ class Sorter {
 
     CameraFrame camera_;
     int width_, height_, columns_, rows_;
-    std::vector<Body> bodies_;
+    std::vector<BoundedObject> objects_;
     Shows everywhere_ = Shows::Sky;
     std::vector<Shows> shows_;
 };

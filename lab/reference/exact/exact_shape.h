@@ -21,13 +21,13 @@ template<class R>
 using Wide = std::conditional_t<std::is_same_v<R, double>, long double, R>;
 
 /// Which values of a shape are meant: rounded to float32, as the shader gets them, or as the scene has them.
-enum class Numbers { OfTheShader, OfTheScene };
+enum class Values { OfTheShader, OfTheScene };
 
 template<class R>
 class ExactShape {
   public:
-    explicit ExactShape(const Shape& shape, Numbers numbers = Numbers::OfTheShader) : kind_(shape.kind) {
-        setFields(numbers == Numbers::OfTheShader ? inFloat(shape) : shape);
+    explicit ExactShape(const Shape& shape, Values values = Values::OfTheShader) : kind_(shape.kind) {
+        setFields(values == Values::OfTheShader ? inFloat(shape) : shape);
         size_ = sizeOf();
     }
 

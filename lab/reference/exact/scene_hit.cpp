@@ -35,7 +35,7 @@ std::vector<SceneShape> exactShapesOf(const Scene& scene, double time) {
     std::vector<SceneShape> exactShapes;
     for (std::size_t i = 0; i < shapes.size(); ++i)
         exactShapes.emplace_back(shapes[i],
-                                 drawn[i] == ShapeKind::LargeSphere ? Numbers::OfTheScene : Numbers::OfTheShader);
+                                 drawn[i] == ShapeKind::LargeSphere ? Values::OfTheScene : Values::OfTheShader);
     return exactShapes;
 }
 

@@ -34,9 +34,9 @@ double estimateOf(const Shape& bulb, glm::dvec3 p) {
 
 double distanceOf(const Shape& shape, glm::dvec3 p) {
     if (shape.kind == ShapeKind::Mandelbulb) return estimateOf(shape, p);
-    const ExactShape<double> body(shape, Numbers::OfTheScene);
-    const auto middle = body.middle();
-    return body.distance({p.x - double(middle.x), p.y - double(middle.y), p.z - double(middle.z)});
+    const ExactShape<double> exact(shape, Values::OfTheScene);
+    const auto middle = exact.middle();
+    return exact.distance({p.x - double(middle.x), p.y - double(middle.y), p.z - double(middle.z)});
 }
 
 double melted(double a, double b, double blend) {
