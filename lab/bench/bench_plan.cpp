@@ -171,7 +171,8 @@ void checkKeys(Values values, std::string_view source, Problems& problems) {
         if (!row)
             setFromText(ignored, key, text, source, problems); // says what may be meant
         else if (!isBenchSetting(*row))
-            problems.push_back(wrong(source, key, "no frame that is drawn for measuring depends on it", "leave it out"));
+            problems.push_back(
+                wrong(source, key, "no frame that is drawn for measuring depends on it", "leave it out"));
     }
 }
 

@@ -36,8 +36,8 @@ struct Subject {
 std::ostream& operator<<(std::ostream& out, const Subject& subject) { return out << subject.name; }
 
 const Subject kTorus{"torus",
-                  R"({"torus": {"center": [0, 0, 0], "axis": [0, 0, 1], "major_radius": 1, "minor_radius": 0.25}})",
-                  1.25, 2.5};
+                     R"({"torus": {"center": [0, 0, 0], "axis": [0, 0, 1], "major_radius": 1, "minor_radius": 0.25}})",
+                     1.25, 2.5};
 const Subject kSubjects[] = {
     {"sphere", R"({"sphere": {"center": [0, 0, 0], "radius": 1}})", 1, 4},
     {"plane", R"({"plane": {"point": [0, 0, 0], "normal": [0, 1, 0]}})", 1, 4},

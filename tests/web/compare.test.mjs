@@ -127,7 +127,10 @@ for (const name of browserNames)
         [{ scenes: [] }, 'compare: scenes: there is none; name at least one'],
         [{ baseline: 'depth=3' }, "depth is never '3' here; add it to depth"],
         [{ repeats: 0 }, 'compare: repeats: 0 is out of range; use 1…10000'],
-        [{ ...tiny, eye: [1, 2, 3], target: '1,2,3' }, 'the camera looks at its own position; let eye and target differ'],
+        [
+          { ...tiny, eye: [1, 2, 3], target: '1,2,3' },
+          'the camera looks at its own position; let eye and target differ',
+        ],
         [{ ...tiny, scenes: { objects: [{ sphere: { center: [0, 0, 0], radius: -1 } }] } }, 'objects[0]'],
       ]) {
         const said = await refusal(options);

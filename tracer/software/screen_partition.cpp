@@ -32,7 +32,8 @@ class Sorter {
             }
             const glm::dvec3 low(bounds.bounds->low), high(bounds.bounds->high), half = 0.5 * (high - low);
             objects_.push_back({0.5 * (low + high) - camera.eye, half,
-                               bounds.round ? std::max({half.x, half.y, half.z}) : glm::length(half), bounds.uncommon});
+                                bounds.round ? std::max({half.x, half.y, half.z}) : glm::length(half),
+                                bounds.uncommon});
         }
     }
 
