@@ -4,7 +4,7 @@
 #include "web/host.h"
 
 #include <algorithm>
-#include <deque>
+#include <list>
 #include <iterator>
 
 namespace {
@@ -35,7 +35,7 @@ EMSCRIPTEN_KEEPALIVE const char* shaderSource() { return give(host.viewer->rende
 /// A shader file of the page's own, to be used from the next useShaders() on.
 EMSCRIPTEN_KEEPALIVE void addShader(const char* name, const char* text) {
     // Kept for good: the line maps of programs point into them.
-    static std::deque<std::string> kept;
+    static std::list<std::string> kept;
     const std::string& keptName = kept.emplace_back(name);
     added.push_back({keptName, kept.emplace_back(text)});
 }

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cctype>
 #include <iterator>
-#include <unordered_map>
+#include <map>
 
 namespace gnomon {
 
@@ -204,7 +204,7 @@ class TreeBuilder {
     }
 
     void reportDuplicates(const JsonValue& object) {
-        std::unordered_map<std::string_view, int> lines;
+        std::map<std::string_view, int> lines;
         for (const JsonValue& member : object.children) {
             const auto [first, isNew] = lines.emplace(member.key, member.keyLine);
             if (isNew) continue;

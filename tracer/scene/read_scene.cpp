@@ -4,7 +4,7 @@
 #include "tracer/scene/read_solid.h"
 
 #include <algorithm>
-#include <unordered_map>
+#include <map>
 #include <utility>
 
 namespace gnomon {
@@ -39,7 +39,7 @@ class UnknownNames {
         std::string path;
         int more = 0;
     };
-    std::unordered_map<std::string, int> places_; ///< in `all_`
+    std::map<std::string, int> places_; ///< in `all_`
     std::vector<Unknown> all_;
 };
 
@@ -77,7 +77,7 @@ class SceneReader {
 
     SceneReport report_;
     Scene scene_;
-    std::unordered_map<std::string, int> materials_, objects_; ///< by name
+    std::map<std::string, int> materials_, objects_; ///< by name
     UnknownNames unknownMaterials_;
     std::vector<Centre> centres_;
 };
@@ -88,7 +88,7 @@ std::string stem(const std::string& file) {
     return name.substr(0, name.rfind('.'));
 }
 
-std::vector<std::string_view> namesIn(const std::unordered_map<std::string, int>& table) {
+std::vector<std::string_view> namesIn(const std::map<std::string, int>& table) {
     std::vector<std::string_view> names;
     for (const auto& [name, index] : table) names.push_back(name);
     std::sort(names.begin(), names.end()); // messages must not depend on the order of a hash table
