@@ -14,15 +14,15 @@ namespace {
 constexpr double kOneInterruption = 0.5; // seconds
 
 std::atomic<int> exitCode{130};
-std::atomic<bool> noting{false}, noted{false};
-std::atomic<double> notedAt{0};
+std::atomic<bool> deferred{false}, came{false};
+std::atomic<double> cameAt{0};
 
 extern "C" void interrupt(int) {
     const double now = monotonicSeconds();
-    if (noted && now - notedAt < kOneInterruption) return;
-    if (!noting || noted) _exit(exitCode);
-    notedAt = now;
-    noted = true;
+    if (came && now - cameAt < kOneInterruption) return;
+    if (!deferred || came) _exit(exitCode);
+    cameAt = now;
+    came = true;
 }
 
 } // namespace
@@ -35,8 +35,8 @@ void endWhenInterrupted(int code) {
     for (const int signal : {SIGINT, SIGTERM}) sigaction(signal, &action, nullptr);
 }
 
-void noteInterruption() { noting = true; }
+void deferInterruption() { deferred = true; }
 
-bool interrupted() { return noted; }
+bool interrupted() { return came; }
 
 } // namespace gnomon

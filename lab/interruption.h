@@ -6,9 +6,9 @@ namespace gnomon {
 
 /// From here on an interruption ends the program at once, with `code`.
 void endWhenInterrupted(int code);
-/// From here on the first one is only noted; one that comes a while later ends the program all the same.
-void noteInterruption();
-/// One was noted: what is done is to be kept, and no more to be begun.
+/// From here on the first one is put off; one that comes a while later ends the program all the same.
+void deferInterruption();
+/// One came and was put off: what is done is to be kept, and no more to be begun.
 bool interrupted();
 
 } // namespace gnomon

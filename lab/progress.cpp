@@ -25,7 +25,7 @@ std::string labClockName() { return softwareRasterised() ? "CPU time of the proc
 
 LabProgress::LabProgress(std::size_t all, std::string done, double deadline)
     : all_(all), what_(std::move(done)), started_(monotonicSeconds()), told_(started_), deadline_(deadline) {
-    noteInterruption();
+    deferInterruption();
 }
 
 LabProgress::~LabProgress() {

@@ -14,7 +14,7 @@ double (*labClock())();
 std::string labClockName();
 
 /// Says what is left to do, on a terminal in one line, else a line every ten seconds; from the first one on an
-/// interruption is noted (interruption.h).
+/// interruption is put off (interruption.h).
 class LabProgress {
   public:
     /// `done` stands before the counts. No time left is told beyond `deadline` on the monotonic clock.

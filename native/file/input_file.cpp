@@ -47,8 +47,8 @@ std::string inputName(const std::string& file) { return file == "-" ? "standard 
 
 std::optional<std::string> readInput(const std::string& file, std::size_t most, const std::string& remedy,
                                      Problems& problems) {
-    const auto refuse = [&](const std::string& what, const std::string& todo) {
-        problems.push_back({inputName(file), 0, {}, what, todo});
+    const auto refuse = [&](const std::string& what, const std::string& advice) {
+        problems.push_back({inputName(file), 0, {}, what, advice});
         return std::nullopt;
     };
     const auto unreadable = [&] {

@@ -118,18 +118,21 @@ bool intersect$Shape($Shape solid, Ray ray, float side, inout float t) {
 #endif
     if (!met) return false;
 #if MARCH == MARCH_STEPS || !$SHAPE_ESTIMATED
-    // Where the solid is about `finest` deep, between `last` and s by false position.
+    // Where the solid is about `finest` deep, between `last` and s by false position: an end that stays twice counts
+    // half.
     float beyond = s, depth = free + finest;
-    float off = depth;
+    float off = depth, earlier = 0.0;
     known = max(known, 0.0) + finest;
-    for (int i = 0; i < 16 && abs(off) > 2.0 * finest && beyond - last > finest; ++i) {
+    for (int i = 0; i < 24 && abs(off) > 2.0 * finest && beyond - last > finest; ++i) {
         s = mix(last, beyond, known / (known - depth));
         off = inside * marched$Shape(solid.at, near.origin + s * ray.direction).w + finest;
         bool nearer = off > 0.0;
+        float weight = off * earlier > 0.0 ? 0.5 : 1.0;
         last = nearer ? s : last;
-        known = nearer ? off : 0.5 * known;
+        known = nearer ? off : weight * known;
         beyond = nearer ? beyond : s;
-        depth = nearer ? 0.5 * depth : off;
+        depth = nearer ? weight * depth : off;
+        earlier = off;
     }
 #endif
     float hit = near.tHigh + (near.tLow + s);

@@ -150,6 +150,11 @@ TEST_P(Solids, AreMetWhereTheirFieldIsZero) {
                 const double off = !estimated_ ? 2e-5 : march >= March::Cone ? cone : 2e-3;
                 ASSERT_LE(std::abs(oracle::fieldOf(treeOf(scene_), p)), off) << "pixel " << x << " " << y;
                 ASSERT_NEAR(glm::length(normal), 1, 1e-5);
+                const double miss = oracle::fieldOf(treeOf(scene_), camera.eye + double(t) * direction);
+                if (!estimated_) { // the bound of sdf/solid.glsl, and roundings of t
+                    ASSERT_LE(std::abs(miss), 0x1p-18 * lengthOf(scene_.objects[0].shape, "radius") + 0x1p-23 * t)
+                        << "pixel " << x << " " << y << " march " << int(march);
+                }
                 if (!estimated_ && smoothAt(treeOf(scene_), p)) {
                     ++smooth;
                     ASSERT_GT(glm::dot(normal, glm::normalize(slopeOf(treeOf(scene_), p))), 0.9998) // a degree

@@ -1,6 +1,8 @@
 // Picture files: numbers come back exactly, pictures as the screen shows them, and a failed write leaves nothing.
 #include "native/file/image_file.h"
 
+#include "tests/support/own_folder.h"
+
 #include <gtest/gtest.h>
 #include <tinyexr.h>
 
@@ -16,20 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-class ImageFile : public ::testing::Test {
-  protected:
-    ImageFile() {
-        folder_ = fs::temp_directory_path() /
-                  ("gnomon-image-file-" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    ~ImageFile() override { fs::remove_all(folder_); }
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
-    std::size_t files() const { return std::size_t(std::distance(fs::directory_iterator(folder_), {})); }
-
-    fs::path folder_;
-};
+class ImageFile : public test::OwnFolder {};
 
 /// Every pixel another number, among them some that a careless format loses.
 FloatImage sample(int channels) {

@@ -1,6 +1,8 @@
 // What a result is written to may be there already, as a file, a link, a pipe or a device.
 #include "native/file/output_file.h"
 
+#include "tests/support/own_folder.h"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -16,19 +18,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-class OutputFile : public ::testing::Test {
+class OutputFile : public test::OwnFolder {
   protected:
-    OutputFile() {
-        folder_ =
-            fs::temp_directory_path() /
-            ("gnomon-output-file-" + std::string(::testing::UnitTest::GetInstance()->current_test_info()->name()));
-        fs::remove_all(folder_);
-        fs::create_directories(folder_);
-    }
-    ~OutputFile() override { fs::remove_all(folder_); }
-
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
-    std::size_t files() const { return std::size_t(std::distance(fs::directory_iterator(folder_), {})); }
     void put(const std::string& name, const std::string& text) const { std::ofstream(path(name)) << text; }
     std::string text(const std::string& name) const {
         std::ifstream in(path(name), std::ios::binary);
@@ -46,8 +37,6 @@ class OutputFile : public ::testing::Test {
         EXPECT_FALSE(prepareOutput(file, problems) && writeOutput(file, bytes, problems)) << file;
         EXPECT_NE(toString(problems).find(words), std::string::npos) << toString(problems);
     }
-
-    fs::path folder_;
 };
 
 } // namespace

@@ -120,7 +120,7 @@ bool complete(const SolidNode& node) {
     return std::all_of(node.of.begin(), node.of.end(), complete);
 }
 
-/// How far the parts of a body go beyond what float32 computes with, one within another.
+/// How far the parts of a solid go beyond what float32 computes with, one within another.
 struct Ranges {
     double leastScale = 1, mostScale = 1; ///< products of the scales around a part
     double reach = 0;                     ///< coordinates of a part, from the object's origin
@@ -142,7 +142,7 @@ void addRanges(const SolidNode& node, double scale, double moved, Ranges& ranges
     for (const SolidNode& part : node.of) addRanges(part, scale, moved, ranges);
 }
 
-/// What keeps the body from being drawn, and what to do about it; empty where nothing does.
+/// What keeps the solid from being drawn, and what to do about it; empty where nothing does.
 std::pair<std::string, std::string> outOfRange(const SolidNode& node) {
     constexpr double kMostScale = 1e6, kMostReach = 1e10; // squares and products of them stay inside float32
     Ranges ranges;

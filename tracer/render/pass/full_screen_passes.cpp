@@ -68,8 +68,11 @@ void FullScreenPasses::drawAside(const Drawing& drawing, const TracePass& traced
 void FullScreenPasses::warmUp(const CachedProgram& program, const Drawing& drawing, const TracePass& traced,
                               Frame& frame) {
     frame.block.upload(frameUniforms(traced.view(), drawing.scene->prepared(), drawing.settings, true));
-    fit(shown_, traced.view(), GL_RGBA8);
-    drawPass(program, traced.picture(), traced.view().height, shown_.framebuffer.get());
+    // Some drivers compile a program anew for each format of target; floats cannot be drawn to all of them.
+    const bool last = &program == drawing.fullScreen.back().get();
+    gl::Target& target = last ? shown_ : linear_[0];
+    fit(target, traced.view(), last ? GL_RGBA8 : traced.picture().format);
+    drawPass(program, traced.picture(), traced.view().height, target.framebuffer.get());
 }
 
 } // namespace gnomon
