@@ -116,7 +116,7 @@ EMSCRIPTEN_KEEPALIVE const char* benchSeries() { return give(seriesText(bench->r
 EMSCRIPTEN_KEEPALIVE void benchStart(int rounds, int sessions, double seconds) {
     bench->run->begin(rounds, std::max(1, kBenchPasses / sessions), monotonicSeconds() + seconds);
 }
-EMSCRIPTEN_KEEPALIVE int benchRace() { return int(bench->run->race()); }
+EMSCRIPTEN_KEEPALIVE int benchMeasure() { return int(bench->run->measure()); }
 
 /// The row of the last step, as counted in the plan.
 EMSCRIPTEN_KEEPALIVE int benchRow() { return int(bench->run->current()); }

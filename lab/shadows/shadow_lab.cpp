@@ -106,7 +106,7 @@ bool raceAll(SceneCases& cases, const ShadowPlan& plan, ShadowCosts& costs, doub
     }
     if (!problems.empty()) return false;
     for (std::size_t i = 0; i < timed.size(); ++i) timed[i].settings = &settings[i];
-    const auto times = race(timed, plan.rounds, clock, progress);
+    const auto times = timeInRounds(timed, plan.rounds, clock, progress);
     costs.bare = times[0];
     for (std::size_t i = 0; i < costs.ways.size(); ++i) costs.ways[i].seconds = times[i + 1];
     return true;

@@ -182,7 +182,7 @@ std::vector<ViewCosts> TraceLab::measure(const Loaded& loaded, LabProgress& prog
     for (std::size_t i = 0; i < views.size() && !LabProgress::interrupted(); ++i) {
         std::vector<TimedCase> timed;
         for (const Prepared& one : all) timed.push_back({one.benchmarkCase.get(), views[i]});
-        const auto times = race(timed, rounds_, clock_, progress);
+        const auto times = timeInRounds(timed, rounds_, clock_, progress);
         if (times[0].empty()) break;
         costs.push_back({named[i].name, {}});
         for (std::size_t k = 0; k < all.size(); ++k) {
@@ -211,7 +211,7 @@ std::vector<GrowthCosts> TraceLab::measure(Arrangement arrangement, const std::v
             if (!progress.step()) return {};
         }
     }
-    const auto times = race(timed, rounds_, clock_, progress);
+    const auto times = timeInRounds(timed, rounds_, clock_, progress);
     if (times[0].empty()) return {};
     std::size_t next = 0;
     for (GrowthCosts& spheres : growth)

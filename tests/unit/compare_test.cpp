@@ -334,6 +334,30 @@ TEST(ReadResults, BringsCalibratedFramesOfEarlierRunsUpToDate) {
     EXPECT_EQ(named(both, "bench_frame").rows[0][8], Cell(0.5)) << "by the calibrated frames";
 }
 
+/// A run of `gnomon lab intersect`, whose columns of wrong decisions have those names.
+Results intersectRun(const std::string& ours, const std::string& textbook) {
+    Results results{"T", "c", {}, {}, {}, {}, {}};
+    results.tables = {{"intersect",
+                       "I",
+                       {{"shape", "shape", "", ""},
+                        {ours, "wrong decisions", "%", "", Kind::Error},
+                        {textbook, "textbook: wrong decisions", "%", "", Kind::Error}},
+                       {{"torus", 0.0, 2.0}},
+                       1}};
+    results.charts = {{"C", "intersect", "shape", {{ours, "ours"}, {textbook, "textbook"}}, "", "", {}, false, false}};
+    return results;
+}
+
+TEST(ReadResults, BringsWrongDecisionsOfEarlierRunsUpToDate) {
+    const Results now = intersectRun("wrong_decisions", "textbook_wrong_decisions");
+    for (const char* textbook : {"textbook_share", "naive_share"}) {
+        Problems problems;
+        const auto then = readResults(toJson(intersectRun("share", textbook)), "f", problems);
+        ASSERT_TRUE(then) << toString(problems);
+        EXPECT_EQ(toJson(*then), toJson(now));
+    }
+}
+
 TEST(ReadResults, BringsSettingsAndWaysOfEarlierRunsUpToDate) {
     Results then = run({row("lite", 1, 1, 1)});
     then.tables[0].columns[0].key = "direction";

@@ -245,19 +245,19 @@ async function measure({ bench, session, asked, plan, step }) {
   };
 
   let rounds = 0;
-  const race = () => {
+  const measure = () => {
     if (bench.rounds() > rounds + 1) {
       rounds = bench.rounds() - 1;
       tellRound();
     }
-    return bench.race();
+    return bench.measure();
   };
   if (await stepThrough('compiling', plan.rows.length, bench.prepare)) {
     if (asked.earlier) check(bench.continueFrom(asked.earlier));
     rounds = bench.rounds();
     const here = Math.max(1, Math.ceil((asked.repeats * asked.browserSession) / asked.browserSessions) - rounds);
     bench.start(here, asked.browserSessions, Math.max(0, deadline - performance.now()) / 1000);
-    await stepThrough('drawing', bench.drawn() * (here + 1), race);
+    await stepThrough('drawing', bench.drawn() * (here + 1), measure);
   }
   return tellRound();
 }

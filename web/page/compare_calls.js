@@ -22,7 +22,7 @@ export function benchOf({ call, callForText, callWithBytes }) {
     continueFrom: (series) => callForText('benchContinue', series),
     series: () => callForText('benchSeries'),
     start: (rounds, sessions, seconds) => call('benchStart', rounds, sessions, seconds),
-    race: () => call('benchRace'),
+    measure: () => call('benchMeasure'),
     row: () => call('benchRow'),
     drawn: () => call('benchDrawn'),
     rounds: () => call('benchRounds'),
