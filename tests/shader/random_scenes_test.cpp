@@ -21,6 +21,7 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace gnomon {
@@ -87,9 +88,9 @@ Image noise(const std::string& name) {
 /// One way, with the programs of a family of scenes.
 class Tracer {
   public:
-    explicit Tracer(const Way& way) : way_(way) {
+    explicit Tracer(const Way& way, std::span<const ShaderFile> overrides = {}) : way_(way) {
         const Renamed renamed(way.renderer);
-        renderer_ = std::make_unique<Renderer>();
+        renderer_ = std::make_unique<Renderer>(overrides);
     }
 
     FloatImage output(const Scene& scene, std::uint64_t seed, Aov aov) {
@@ -165,6 +166,25 @@ TEST_P(RandomScenes, AreTheSameInEveryWay) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, RandomScenes, testing::Range(0, kFamilies));
+
+// A hierarchy whose boxes are a little too small loses hits, and the comparison sees it.
+TEST(RandomScene, TellsWhereASearchLosesHits) {
+    offscreen();
+    std::string text(shaderText("accel/hierarchy.glsl"));
+    const std::string right = "9.5e-7 * (max(";
+    ASSERT_NE(text.find(right), std::string::npos);
+    text.replace(text.find(right), right.size(), "-1e-3 * (max(");
+    const ShaderFile tight[]{{"accel/hierarchy.glsl", text}};
+    Tracer each(kWays[0]), lost(kWays[2], tight);
+    int unlike = 0;
+    for (std::uint64_t seed = 0; seed < kOfEach; ++seed) {
+        Problems problems;
+        const auto scene = readScene(randomScene(seed), "seed " + std::to_string(seed), problems);
+        ASSERT_TRUE(scene) << toString(problems);
+        unlike += !difference(each.output(*scene, seed, Aov::Object), lost.output(*scene, seed, Aov::Object)).empty();
+    }
+    EXPECT_GT(unlike, 0);
+}
 
 // One seed again, the one that GNOMON_SEED names.
 TEST(RandomScene, OfASeedIsTheSameInEveryWay) {
