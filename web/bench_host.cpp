@@ -2,9 +2,9 @@
 // page/compare.js.
 //
 // The order of use: benchPlan; for each of its scenes benchScene, benchImageNames and benchImage; benchBegin;
-// benchPrepare until it is finished; benchContinue; benchStart; benchMeasure until that is. benchResults at any time after
-// benchBegin, benchEnd at last. Text as in host.h. Steps answer 0: ask again after a moment, 1: one more is done, 2:
-// all is done.
+// benchPrepare until it is finished; benchContinue; benchStart; benchMeasure until that is. benchResults at any time
+// after benchBegin, benchEnd at last. Text as in host.h. Steps answer 0: ask again after a moment, 1: one more is done,
+// 2: all is done.
 #include "web/bench_host.h"
 
 #include "lab/bench/bench_series.h"
