@@ -38,6 +38,8 @@ ExitCode draw(const Loaded& loaded, const Settings& settings, const CameraPose& 
         if (!problems.empty()) return kNoGl;
         written = writeImage(file, format, values, problems);
     }
+    if (const std::string cut = renderer.depthCut(view); written && !cut.empty())
+        std::fprintf(stderr, "gnomon: note: %s\n", cut.c_str());
     return written ? kDone : kInputWrong;
 }
 

@@ -26,12 +26,25 @@ Scatter scatterAt(ShadingPoint at, vec3 incoming) {
     float coat = at.paint.a;
 #if REFRACTION
     bool dielectric = at.material.optics == kDielectric;
+#if MEDIA
+    scatter.eta = at.eta;
+#else
     scatter.eta = at.side > 0.0 ? 1.0 / at.material.ior : at.material.ior;
+#endif
     float squared = 1.0 - scatter.eta * scatter.eta * (1.0 - cosine * cosine);
     scatter.beyond = dielectric ? squared : -1.0;
     bool leaving = scatter.beyond >= 0.0 && at.side < 0.0; // Schlick's formula wants the angle on the thinner side
+#if MEDIA
+    bool thinner = scatter.beyond >= 0.0 && scatter.eta > 1.0;
+    cosine = thinner ? sqrt(scatter.beyond) : cosine;
+#else
     cosine = leaving ? sqrt(scatter.beyond) : cosine;
+#endif
     coat = leaving ? 1.0 : coat;
+#endif
+#if MEDIA
+    float atNormal = (scatter.eta - 1.0) / (scatter.eta + 1.0);
+    if (dielectric) at.material.f0 = vec3(atNormal * atNormal);
 #endif
     scatter.reflected = fresnel(at.material.f0, cosine) * coat;
 #if REFRACTION

@@ -15,6 +15,9 @@ struct ShadingPoint {
     vec4 paint;   // rgb tints the surface, alpha masks its coat
     float side;   // +1 where the ray comes from outside, -1 from inside
     float cosine; // of the ray to the geometric normal, at least 1e-3
+#if MEDIA
+    float eta;    // index where the ray is over that behind the surface, 0: no interface; the integrator knows it
+#endif
 };
 
 ShadingPoint shadingPointAt(int object, Ray ray, float t, float width) {

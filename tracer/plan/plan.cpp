@@ -27,6 +27,13 @@ void addMaterials(const PreparedScene& prepared, const Settings& settings, Scene
     features.reflection = features.conductors || features.refraction || features.coats;
 }
 
+void addMedia(const PreparedScene& prepared, SceneFeatures& features) {
+    features.passesOn = features.reflection && prepared.scene.depthLimit == DepthLimit::Straight;
+    if (!prepared.media.tracked) return;
+    features.media = int(prepared.media.materials.size()) - 1;
+    features.absorption = prepared.media.absorbing;
+}
+
 void addLight(const Scene& scene, const Settings& settings, SceneFeatures& features) {
     features.lights = int(scene.lights.size());
     features.shadows = features.lights > 0 ? settings.shadows : ShadowModel::Off;
@@ -60,6 +67,7 @@ Plan planOf(const PreparedScene& prepared, const Settings& settings, const Codeg
     features.cubemap = !prepared.skyFaces.empty();
     features.materials = int(prepared.scene.materials.size());
     addMaterials(prepared, settings, features);
+    addMedia(prepared, features);
     addLight(prepared.scene, settings, features);
     chooseData(prepared, settings, target, features);
     return plan;

@@ -48,6 +48,7 @@ PreparedScenePtr prepare(Scene scene) {
     prepared.shapes = shapesAtRest(scene, prepared.origin);
     prepared.layout = layoutOf(scene, prepared.shapes);
     for (const KindLayout& kind : prepared.layout) prepared.searches.push_back(searchCostOf(kind, prepared.shapes));
+    prepared.media = mediaOf(scene);
     prepared.textureSet = textureSetOf(scene);
     prepared.skyFaces = facesOf(scene.background);
     prepared.moves = changesWithTime(scene);

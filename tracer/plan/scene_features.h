@@ -46,6 +46,9 @@ struct SceneFeatures {
     int materials = 0, lights = 0, glows = 0;
     int paints = 0, normalMaps = 0; ///< layers of images, none where no material in use shows one
     bool reflection = false, refraction = false, coats = false, conductors = false;
+    int media = 0;           ///< bodies that rays track what they are inside of; 0 where none may overlap
+    bool absorption = false; ///< by one of them
+    bool passesOn = false;   ///< dielectrics let rays of the largest depth go straight on; what is cut is counted
     bool cubemap = false, linear = false;
     ShadowModel shadows = ShadowModel::Off;
     March march = March::Cone;

@@ -3,7 +3,8 @@
 ///
 /// Order: for each kind present the geometry of its objects, then the searches of the kinds that have one, then one
 /// texel for each object (material, index in the file, whether the base variant discards it), then materials, lights,
-/// glows.
+/// glows, and where media are tracked one texel for each: air, then the bodies by their ranks, then the ranks of those
+/// that the eye is inside of.
 #pragma once
 
 #include "tracer/plan/scene_features.h"
@@ -28,7 +29,7 @@ struct KindOffsets {
 /// In texels.
 struct SceneOffsets {
     std::vector<KindOffsets> kinds; ///< of SceneFeatures::shapes
-    int objects = 0, materials = 0, lights = 0, glows = 0;
+    int objects = 0, materials = 0, lights = 0, glows = 0, media = 0;
     int end = 0;
 };
 

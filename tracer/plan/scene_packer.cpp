@@ -97,11 +97,12 @@ std::span<const glm::vec4> ScenePacker::pack(const Plan& plan, double time, glm:
     texels_.clear();
     packShapes(eye - origin_);
     packSearches(plan.scene, glm::vec3(eye - origin_));
-    packObjects(plan.split);
+    packObjects(plan);
     for (const Material& material : prepared_->scene.materials)
         packMaterial(material, prepared_->textureSet, tiles_, time, texels_);
     packLights();
     if (plan.scene.glows > 0) packGlows();
+    if (plan.scene.media > 0) packMedia(eye - origin_);
     assert(int(texels_.size()) == sceneTexels(plan.scene));
     return texels_;
 }
@@ -154,13 +155,14 @@ void ScenePacker::packSearches(const SceneFeatures& features, glm::vec3 eye) {
     }
 }
 
-void ScenePacker::packObjects(const ScreenSplit& split) {
+void ScenePacker::packObjects(const Plan& plan) {
     const Scene& scene = prepared_->scene;
     for (std::size_t k = 0; k < prepared_->layout.size(); ++k)
         for (const int i : prepared_->layout[k].objects) {
             const int material = scene.objects[std::size_t(i)].material;
-            const bool discarded = split.fallsBack(k, scene.materials[std::size_t(material)]);
-            texels_.emplace_back(float(material), float(i), float(discarded), 0.0f);
+            const bool discarded = plan.split.fallsBack(k, scene.materials[std::size_t(material)]);
+            const int rank = plan.scene.media > 0 ? prepared_->media.ranks[std::size_t(i)] : 0;
+            texels_.emplace_back(float(material), float(i), float(discarded), float(rank));
         }
 }
 
@@ -178,6 +180,17 @@ void ScenePacker::packGlows() {
             texels_.emplace_back(glm::vec4(pointOf(shapes_[i], "center"), glow->strength));
             texels_.emplace_back(glm::vec4(glow->color, glow->softness));
         }
+}
+
+void ScenePacker::packMedia(glm::dvec3 eye) {
+    const Media& media = prepared_->media;
+    texels_.emplace_back(0.0f, 0.0f, 0.0f, 1.0f); // air
+    for (std::size_t rank = 1; rank < media.materials.size(); ++rank) {
+        const Material& material = prepared_->scene.materials[std::size_t(media.materials[rank])];
+        const auto& dielectric = std::get<Dielectric>(material.optics);
+        texels_.emplace_back(glm::vec4(dielectric.absorption, dielectric.ior));
+    }
+    texels_.emplace_back(glm::vec4(mediaAt(media, shapes_, glm::dvec3(glm::vec3(eye)))));
 }
 
 std::vector<glm::vec4> packScene(PreparedScenePtr prepared, const Plan& plan, double time) {

@@ -2,6 +2,7 @@
 
 #include "tracer/clock.h"
 #include "tracer/plan/scene_offsets.h"
+#include "tracer/render/depth_cut.h"
 #include "tracer/render/pass/full_screen_passes.h"
 #include "tracer/render/pass/full_screen_table.h"
 #include "tracer/render/read_output.h"
@@ -81,6 +82,7 @@ struct Renderer::Impl {
     TracePass warm, coarse, fine;
     FullScreenPasses fullScreen;
     OutputReader reader;
+    DepthProbe depthProbe;
     unsigned version = 0, fineVersion = 0;
 
     Drawing wanted, drawn;
@@ -274,6 +276,10 @@ FloatImage Renderer::readOutput(const View& view, Problems& problems) {
 
 Image Renderer::readPicture(const View& view, Problems& problems) {
     return canDraw() ? impl_->reader.shown(impl_->drawn, view, impl_->frame, impl_->info, problems) : Image{};
+}
+
+std::string Renderer::depthCut(const View& view) {
+    return canDraw() ? messageOf(impl_->depthProbe.measure(impl_->drawn, view, impl_->frame)) : std::string{};
 }
 
 ProgramStats Renderer::stats() const { return impl_->drawn.trace.stats(); }

@@ -70,6 +70,9 @@ class Renderer {
     FloatImage readOutput(const View&, Problems&);
     /// Draws what a window would show, and reads it back.
     Image readPicture(const View&, Problems&);
+    /// One line where the largest depth cuts more than 1 % of the picture's light: by how much, and which depth would
+    /// do. Else empty.
+    std::string depthCut(const View&);
 
     ProgramStats stats() const;        ///< of the programs that trace
     const std::string& source() const; ///< of the program that traces now

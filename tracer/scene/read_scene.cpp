@@ -109,6 +109,8 @@ Scene SceneReader::read(const JsonValue& document) {
     root.read("description", scene_.description);
     std::string encoding;
     if (root.read("encoding", encoding)) scene_.encoding = encoding == "display" ? Encoding::Display : Encoding::Linear;
+    std::string limit;
+    if (root.read("depth_limit", limit)) scene_.depthLimit = limit == "dark" ? DepthLimit::Dark : DepthLimit::Straight;
     if (const auto camera = root.object("camera")) readCamera(*camera);
     if (const auto background = root.object("background")) readBackground(*background);
     for (const auto& light : root.members("lights")) readLight(root.open("lights", light));
@@ -189,6 +191,8 @@ void SceneReader::readOptics(const ObjectReader& material, Material& target) {
     if (const auto reader = material.object("dielectric")) {
         Dielectric dielectric;
         reader->read("ior", dielectric.ior);
+        reader->read("absorption", dielectric.absorption);
+        reader->read("priority", dielectric.priority);
         target.optics = dielectric;
     }
     if (const auto reader = material.object("coat")) {

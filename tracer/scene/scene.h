@@ -34,7 +34,9 @@ struct Conductor {
 };
 /// Clear body: reflects and refracts.
 struct Dielectric {
-    double ior = 1.5;
+    double ior = 1.5;         ///< absolute: air has 1, whatever the body lies in
+    glm::dvec3 absorption{0}; ///< Beer-Lambert: exp(-absorption * length) of the light is left
+    double priority = 0;      ///< of the bodies that a point lies in the one of highest priority is its medium
 };
 /// Clear layer over the surface's own colour: reflects by its index, does not refract.
 struct Coat {
@@ -96,11 +98,15 @@ struct Background {
 
 enum class Encoding { Linear, Display };
 
+/// What a dielectric does with a ray of the largest depth: lets it go straight on, or ends it, as S1 does.
+enum class DepthLimit { Straight, Dark };
+
 struct Scene {
     std::string name, file, title, description;
     CameraPose camera;
     Background background;
     Encoding encoding = Encoding::Linear;
+    DepthLimit depthLimit = DepthLimit::Straight;
     std::vector<Light> lights;
     std::vector<Material> materials; ///< [0] is the default grey
     std::vector<Object> objects;     ///< in file order: the `object` output is an index into this

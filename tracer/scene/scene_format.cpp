@@ -17,6 +17,9 @@ constexpr Range kLength{1e-6, 1e6};
 constexpr Range kColor{0, 1000};
 constexpr Range kShininess{1, 10000};
 constexpr Range kIor{1, 4};
+constexpr Range kBodyIor{0.05, 4};
+constexpr Range kAbsorption{0, 1000};
+constexpr Range kPriority{-1000, 1000};
 constexpr Range kComplexIndex{0, 20};
 constexpr Range kFov{1, 170};
 constexpr Range kRate{-1000, 1000};
@@ -95,8 +98,12 @@ const ObjectFormat& conductorFormat() {
 }
 
 const ObjectFormat& dielectricFormat() {
-    static const ObjectFormat format{"A clear body: reflects and refracts",
-                                     {{"ior", Number, kIor, "Refractive index", true}}};
+    static const ObjectFormat format{
+        "A clear body: reflects and refracts",
+        {{"ior", Number, kBodyIor, "Refractive index, absolute: air has 1, inside of other bodies too", true},
+         {"absorption", Color, kAbsorption, "Of the light exp(-absorption * length) is left; default 0"},
+         {"priority", Number, kPriority,
+          "Where bodies overlap the one of highest priority counts, of equals the smaller; default 0"}}};
     return format;
 }
 
@@ -272,6 +279,10 @@ const ObjectFormat& sceneFormat() {
           "linear: colours are linear light and the picture is sRGB-encoded; display: colours are display values as "
           "they are; default linear",
           false, nullptr, {"linear", "display"}},
+         {"depth_limit", Choice, kAny,
+          "What dielectrics do with rays of the largest depth: straight lets them go on unbent, dark ends them; "
+          "default straight",
+          false, nullptr, {"straight", "dark"}},
          {"camera", Object, kAny, "Where the picture is taken from", false, &cameraFormat()},
          {"background", Object, kAny, "What rays see that hit nothing; default black", false, &backgroundFormat()},
          {"lights", List, kLights, "Lights; default none", false, &lightFormat()},

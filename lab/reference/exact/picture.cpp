@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <thread>
+#include <tuple>
 
 namespace gnomon::oracle {
 namespace {
@@ -122,30 +123,104 @@ void Picture::widenAtEdges(ColorRange& range, int x, int y) const {
     }
 }
 
-glm::dvec3 Picture::color(Vec origin, Vec direction, int depth) const {
-    const SceneHit hit = nearestHit(shapes_, origin, direction);
-    if (hit.object < 0) return scene_.background.color;
-    const Material& material = scene_.materials[std::size_t(scene_.objects[std::size_t(hit.object)].material)];
-    glm::dvec3 sum = shade(material, hit, direction);
-    if (std::holds_alternative<std::monostate>(material.optics) || depth >= depth_) return sum;
+/// Discs and triangles of one material are the skin of one body.
+int Picture::bodyOf(int object) const {
+    const auto skin = [&](int i) {
+        return !shapes_[std::size_t(i)].closed() && shapes_[std::size_t(i)].kind() != ShapeKind::Plane;
+    };
+    const auto material = [&](int i) { return scene_.objects[std::size_t(i)].material; };
+    if (!skin(object)) return object;
+    for (int i = 0; i < object; ++i)
+        if (skin(i) && material(i) == material(object)) return i;
+    return object;
+}
 
+/// By the stated priority, then the smaller, then the first.
+bool Picture::moreImportant(int body, int than) const {
+    const auto rowOf = [&](int i) {
+        const SceneShape& shape = shapes_[std::size_t(i)];
+        return std::tuple(-mediumOf({i}).priority, shape.kind() == ShapeKind::Plane ? 1e30L : shape.size(), i);
+    };
+    return rowOf(body) < rowOf(than);
+}
+
+Picture::Bodies Picture::bodiesAt(Vec point) const {
+    Bodies bodies;
+    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+        const SceneShape& shape = shapes_[i];
+        if (!scene_.materials[std::size_t(scene_.objects[i].material)].refracts()) continue;
+        if (!shape.closed() && shape.kind() != ShapeKind::Plane) continue;
+        if (shape.distance(Vec3<Real>(point) - shape.middle()) < 0) bodies.push_back(int(i));
+    }
+    return bodies;
+}
+
+/// The most important one's; air where there is none.
+Dielectric Picture::mediumOf(const Bodies& bodies) const {
+    if (bodies.empty()) return {.ior = 1};
+    int top = bodies[0];
+    for (const int body : bodies)
+        if (body != top && moreImportant(body, top)) top = body;
+    return std::get<Dielectric>(scene_.materials[std::size_t(scene_.objects[std::size_t(top)].material)].optics);
+}
+
+/// Behind a surface. A skin is believed before what is known of where the ray is.
+Picture::Bodies Picture::beyond(const SceneHit& hit, Bodies& inside) const {
+    const int body = bodyOf(hit.object);
+    const auto with = [body](Bodies bodies) {
+        if (std::ranges::find(bodies, body) == bodies.end()) bodies.push_back(body);
+        return bodies;
+    };
+    const auto without = [body](Bodies bodies) {
+        std::erase(bodies, body);
+        return bodies;
+    };
+    const SceneShape& shape = shapes_[std::size_t(hit.object)];
+    if (!shape.closed() && shape.kind() != ShapeKind::Plane) inside = hit.outside ? without(inside) : with(inside);
+    return hit.outside ? with(inside) : without(inside);
+}
+
+glm::dvec3 Picture::color(Vec origin, Vec direction, int depth, Bodies inside) const {
+    const SceneHit hit = nearestHit(shapes_, origin, direction);
+    const double travelled = hit.object < 0 ? 1e30 : double(hit.t);
+    const glm::dvec3 left = glm::exp(-travelled * glm::dvec3(glm::vec3(mediumOf(inside).absorption)));
+    if (hit.object < 0) return left * scene_.background.color;
+    const Material& material = scene_.materials[std::size_t(scene_.objects[std::size_t(hit.object)].material)];
+    const auto straightOn = [&](const Bodies& media) {
+        return color(startOff(hit, -hit.normal), direction, depth, media);
+    };
+    Bodies behind = inside;
+    if (material.refracts()) {
+        behind = beyond(hit, inside);
+        const Dielectric here = mediumOf(inside), there = mediumOf(behind);
+        const bool alike =
+            !inside.empty() && !behind.empty() && here.ior == there.ior && here.absorption == there.absorption;
+        if (behind.size() == inside.size() || alike) return left * straightOn(behind);
+    }
+    const glm::dvec3 own = shade(material, hit, direction);
+    if (depth < depth_) return left * (own + scattered(material, hit, direction, depth, inside, behind));
+    const bool passes = material.refracts() && scene_.depthLimit == DepthLimit::Straight;
+    return left * (passes ? own + straightOn(behind) : own);
+}
+
+glm::dvec3 Picture::scattered(const Material& material, const SceneHit& hit, Vec direction, int depth,
+                              const Bodies& inside, const Bodies& behind) const {
+    if (std::holds_alternative<std::monostate>(material.optics)) return glm::dvec3(0);
     const Real cosine = std::clamp<Real>(-glm::dot(direction, hit.normal), 0, 1);
-    const glm::dvec3 atNormal = normalReflectance(material);
-    glm::dvec3 mirrored = schlick(atNormal, double(cosine));
-    if (const auto* dielectric = std::get_if<Dielectric>(&material.optics)) {
-        const bool entering = hit.outside;
-        const Real ior = float(dielectric->ior), eta = entering ? 1 / ior : ior;
+    glm::dvec3 sum(0), mirrored = schlick(normalReflectance(material), double(cosine));
+    if (material.refracts()) {
+        const Real eta = Real(float(mediumOf(inside).ior)) / Real(float(mediumOf(behind).ior));
+        const glm::dvec3 atNormal(double((eta - 1) * (eta - 1) / ((eta + 1) * (eta + 1))));
         const Real k = 1 - eta * eta * (1 - cosine * cosine); // squared cosine beyond the surface, by Snell's law
-        if (k < 0) {
-            mirrored = glm::dvec3(1);
-        } else {
-            if (!entering) mirrored = schlick(atNormal, double(std::sqrt(k)));
+        mirrored = glm::dvec3(1);
+        if (k >= 0) {
+            mirrored = schlick(atNormal, double(eta > 1 ? std::sqrt(k) : cosine));
             const Vec bent = glm::normalize(eta * direction + (eta * cosine - std::sqrt(k)) * hit.normal);
-            sum += (1.0 - mirrored) * color(startOff(hit, -hit.normal), bent, depth + 1);
+            sum += (1.0 - mirrored) * color(startOff(hit, -hit.normal), bent, depth + 1, behind);
         }
     }
     const Vec back = glm::normalize(direction + 2 * cosine * hit.normal);
-    return sum + mirrored * color(startOff(hit, hit.normal), back, depth + 1);
+    return sum + mirrored * color(startOff(hit, hit.normal), back, depth + 1, inside);
 }
 
 /// Blinn-Phong, each term of each light within [0, 1].
