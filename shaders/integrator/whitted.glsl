@@ -2,7 +2,6 @@
 // and the refracted one is pushed on the ray stack.
 //
 // radiance  along the primary ray: what every integrator, one file of this folder each, gives to pass/trace.frag
-// cut       with CUTS: the part of the pixel's light that rays of the largest depth carry to glass and mirrors
 // Source    T. Whitted, An Improved Illumination Model for Shaded Display, 1980
 #include "ray/primary.glsl"
 #include "ray/path.glsl"
@@ -39,10 +38,6 @@ const int kMaxIterations = 2041;
 #endif
 #else
 const int kMaxIterations = 9; // a ray at each depth, and the last surface's shadow rays
-#endif
-
-#if CUTS
-float cut = 0.0;
 #endif
 
 #if REFLECTION

@@ -12,6 +12,9 @@
 #include "software/coverage_mask.glsl"
 #include "ray/nearest.glsl"
 #include "software/hooks.glsl"
+#if CUTS
+float cut = 0.0; // the part of the pixel's light that rays of the largest depth carry to glass and mirrors
+#endif
 #if OUTPUT == COLOR || OUTPUT == WORK || OUTPUT == STEPS
 #include "integrator/whitted.glsl"
 #elif OUTPUT == VISIBILITY
