@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <ostream>
+#include <random>
 #include <string>
 
 namespace gnomon {
@@ -108,6 +110,54 @@ INSTANTIATE_TEST_SUITE_P(
         std::ranges::replace(name, '-', '_');
         return name;
     });
+
+/// Spheres, boxes and cylinders of all materials, crowded about the middle.
+Scene crowd(unsigned seed, int count) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> number(-1, 1);
+    const auto vector = [&](double size) {
+        return "[" + std::to_string(size * number(random)) + "," + std::to_string(size * number(random)) + "," +
+               std::to_string(size * number(random)) + "]";
+    };
+    constexpr const char* kMaterials[] = {"glass", "water", "air", "thin", "ice", "diamond", "wine", "green", "red"};
+    std::string objects;
+    for (int i = 0; i < count; ++i) {
+        const std::string size = std::to_string(0.4 + 0.2 * number(random));
+        const std::string center = vector(0.5), from = vector(0.7), to = vector(0.7);
+        const std::string shapes[] = {R"("sphere": {"center": )" + center + R"(, "radius": )" + size + "}",
+                                      R"("box": {"center": )" + center + R"(, "half_size": [0.3, )" + size + ", 0.4]}",
+                                      R"("cylinder": {"from": )" + from + R"(, "to": )" + to + R"(, "radius": 0.4})"};
+        objects += std::string(i > 0 ? "," : "") + "{" + shapes[random() % 3] + R"(, "material": ")" +
+                   kMaterials[random() % std::size(kMaterials)] + R"(", "casts_shadow": false})";
+    }
+    return room(objects);
+}
+
+// Up to four bodies lie in one another here: more than the shader keeps are not compared.
+TEST(Media, OfRandomCrowdsHaveNoIsolatedPixel) {
+    for (unsigned seed = 1; seed <= 12; ++seed)
+        EXPECT_EQ(differenceOf("crowd-" + std::to_string(seed), crowd(seed, 4), sized(64, 48, 4)).outliers, 0) << seed;
+}
+
+// However objects are searched, the same is met next to the nearest, too.
+TEST(Media, AreTheSameInEverySearch) {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> number(-0.8, 0.8);
+    std::string bubbles = R"({"box": {"center": [0, 0, 0], "half_size": [0.9, 0.9, 0.9]}, "material": "green"})";
+    for (int i = 0; i < 60; ++i)
+        bubbles += "," + ball(i % 3 > 0 ? "air" : "wine",
+                              "[" + std::to_string(number(random)) + "," + std::to_string(number(random)) + "," +
+                                  std::to_string(number(random)) + "]",
+                              0.12);
+    const Scene scene = room(bubbles);
+    Settings settings = sized(120, 90, 6);
+    settings.accel = Accel::None;
+    const FloatImage all = outputOf(scene, settings, Aov::Color);
+    for (const Accel accel : {Accel::Hierarchy, Accel::Auto}) {
+        settings.accel = accel;
+        EXPECT_EQ(difference(outputOf(scene, settings, Aov::Color), all), "");
+    }
+}
 
 // From inside: of a bubble in glass, of the overlap, and of the half space behind a plane.
 TEST(Media, AreKnownWhereTheEyeIs) {

@@ -39,6 +39,10 @@ TEST(MediaRanks, FollowPriorityThenSizeThenOrder) {
     EXPECT_EQ(ranks(ball("water", 0, 1) + "," + ball("glass", 0, 2)), (Ranks{2, 1}));
     EXPECT_EQ(ranks(ball("ice", 0, 3) + "," + ball("glass", 0, 2)), (Ranks{2, 1}));
     EXPECT_EQ(ranks(ball("glass", 0, 1) + "," + ball("water", 1, 1)), (Ranks{2, 1}));
+    EXPECT_EQ(
+        ranks(R"({"box": {"center": [0,0,0], "half_size": [1,1,1]}, "material": "glass"},)" + ball("water", 0, 1)),
+        (Ranks{1, 2}))
+        << "they fill the same box";
     EXPECT_EQ(ranks(R"({"plane": {"point": [0,0,0], "normal": [0,1,0]}, "material": "water"},)" + ball("glass", 0, 9)),
               (Ranks{1, 2}));
 }

@@ -27,9 +27,12 @@ std::optional<Extent> extentOf(const Shape& shape) {
     return extent ? std::optional(extent(shape)) : std::nullopt;
 }
 
-double diagonalOf(const Shape& shape) {
+/// The diagonal of the box about it. Of those that just fit into one box a box contains the others, and then a
+/// cylinder.
+double sizeOfBody(const Shape& shape) {
     const auto extent = extentOf(shape);
-    return extent ? glm::distance(extent->low, extent->high) : kInfinity;
+    const double fills = shape.kind == ShapeKind::Box ? 2 : shape.kind == ShapeKind::Cylinder ? 1 : 0;
+    return extent ? glm::distance(extent->low, extent->high) * (1 + 1e-6 * fills) : kInfinity;
 }
 
 /// With room for rounding: surfaces that touch may be met in either order.
@@ -92,7 +95,7 @@ std::vector<Body> bodiesOf(const Scene& scene) {
                   object.material,
                   !boundsBody(object.shape.kind),
                   dielectric->priority,
-                  diagonalOf(object.shape),
+                  sizeOfBody(object.shape),
                   extentOf(outermost[0][i])};
         if (body.swept) body.swept = hull(*body.swept, *extentOf(outermost[1][i]));
         if (body.skin) {

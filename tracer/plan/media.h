@@ -1,8 +1,8 @@
 /// The media of a scene: its dielectric bodies, ranked, so that of all that a point lies in the highest rank is its
 /// medium.
 ///
-/// Priority     the higher stated one; of equals the smaller body, which so wins over what contains it; then the first
-///              of the file
+/// Priority     the higher stated one; of equals the smaller body by the diagonal of the box about it, which so wins
+///              over what contains it; then the first of the file
 /// Bodies       closed shapes, solids, and a plane, which is the half space behind its normal. Discs and triangles are
 ///              the skin of a body, all that are of one material of the same one; what lies in it is not known from a
 ///              point, only by passing through the skin

@@ -135,11 +135,13 @@ int Picture::bodyOf(int object) const {
     return object;
 }
 
-/// By the stated priority, then the smaller, then the first.
+/// By the stated priority, then the smaller by the box about it, then the first.
 bool Picture::moreImportant(int body, int than) const {
     const auto rowOf = [&](int i) {
-        const SceneShape& shape = shapes_[std::size_t(i)];
-        return std::tuple(-mediumOf({i}).priority, shape.kind() == ShapeKind::Plane ? 1e30L : shape.size(), i);
+        const Shape& shape = scene_.objects[std::size_t(i)].shape;
+        const auto extent = shapeRow(shape.kind).extent;
+        const Extent box = extent ? extent(shape) : Extent{glm::dvec3(-1e30), glm::dvec3(1e30)};
+        return std::tuple(-mediumOf({i}).priority, glm::distance(box.low, box.high), i);
     };
     return rowOf(body) < rowOf(than);
 }
@@ -180,14 +182,16 @@ Picture::Bodies Picture::beyond(const SceneHit& hit, Bodies& inside) const {
     return hit.outside ? with(inside) : without(inside);
 }
 
-glm::dvec3 Picture::color(Vec origin, Vec direction, int depth, Bodies inside) const {
+glm::dvec3 Picture::color(Vec origin, Vec direction, int depth, Bodies inside, int passed) const {
+    constexpr int kMostPassed = 100; // a ray that goes along a face may be stopped by its rounding again and again
+    if (passed > kMostPassed) return glm::dvec3(0);
     const SceneHit hit = nearestHit(shapes_, origin, direction);
     const double travelled = hit.object < 0 ? 1e30 : double(hit.t);
     const glm::dvec3 left = glm::exp(-travelled * glm::dvec3(glm::vec3(mediumOf(inside).absorption)));
     if (hit.object < 0) return left * scene_.background.color;
     const Material& material = scene_.materials[std::size_t(scene_.objects[std::size_t(hit.object)].material)];
     const auto straightOn = [&](const Bodies& media) {
-        return color(startOff(hit, -hit.normal), direction, depth, media);
+        return color(startOff(hit, -hit.normal), direction, depth, media, passed + 1);
     };
     Bodies behind = inside;
     if (material.refracts()) {

@@ -52,7 +52,8 @@ class Picture {
     Bodies beyond(const SceneHit&, Bodies& inside) const;
     Dielectric mediumOf(const Bodies&) const;
 
-    glm::dvec3 color(Vec origin, Vec direction, int depth, Bodies inside) const;
+    /// `passed`: surfaces since the last that bent or mirrored.
+    glm::dvec3 color(Vec origin, Vec direction, int depth, Bodies inside, int passed = 0) const;
     glm::dvec3 scattered(const Material&, const SceneHit&, Vec direction, int depth, const Bodies& inside,
                          const Bodies& beyond) const;
     void widenAtEdges(ColorRange&, int x, int y) const;
