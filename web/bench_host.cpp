@@ -72,7 +72,7 @@ EMSCRIPTEN_KEEPALIVE const char* benchPlanned() {
 /// The plan's next scene as a scene file's text.
 EMSCRIPTEN_KEEPALIVE const char* benchScene(const char* text, const char* name) {
     Problems problems;
-    std::optional<Scene> scene = readScene(text, std::string(name) + ".json", problems);
+    std::optional<Scene> scene = readScene(text, std::string(name) + ".json", problems, givenFiles());
     if (scene) {
         scene->name = name;
         bench->scenes.push_back({std::move(*scene), {}});

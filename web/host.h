@@ -7,9 +7,11 @@
 
 #include "tracer/problem.h"
 #include "tracer/render/viewer.h"
+#include "tracer/scene/read_scene.h"
 
 #include <emscripten.h>
 
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -19,8 +21,12 @@
 struct Host {
     std::unique_ptr<gnomon::Viewer> viewer;
     gnomon::Problems problems; ///< of frames, until the page takes them
+    std::map<std::string, std::string> files;
 };
 extern Host host;
+
+/// Files that scenes name, as the page has fetched them for the scene that comes next.
+gnomon::SceneFiles givenFiles();
 
 /// Hands text out.
 const char* give(std::string text);

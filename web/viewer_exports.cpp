@@ -28,10 +28,20 @@ EMSCRIPTEN_KEEPALIVE const char* createViewer(const char* lines, const char* sou
 
 // --- scene and images ---
 
+/// Paths of the files that a scene's text names, one a line: what giveFile() is to give before the scene is taken.
+EMSCRIPTEN_KEEPALIVE const char* sceneFiles(const char* text) {
+    host.files.clear();
+    return give(inLines(filesOf(text)));
+}
+
+EMSCRIPTEN_KEEPALIVE void giveFile(const char* path, const char* bytes, int size) {
+    host.files[path].assign(bytes, std::size_t(size));
+}
+
 /// Takes a scene file's text. With problems the old scene stays.
 EMSCRIPTEN_KEEPALIVE const char* loadScene(const char* text, const char* name) {
     Problems problems;
-    std::optional<Scene> scene = readScene(text, std::string(name) + ".json", problems);
+    std::optional<Scene> scene = readScene(text, std::string(name) + ".json", problems, givenFiles());
     if (scene) {
         scene->name = name;
         host.viewer->setScene(std::move(*scene), problems);

@@ -106,7 +106,12 @@ std::optional<Scene> AssetFolder::readScene(const std::string& nameOrFile, Probl
     const auto file = fileOf(nameOrFile, problems);
     if (!file) return std::nullopt;
     const auto text = readInput(file->string(), kMaxJsonBytes, "use a smaller scene", problems);
-    return text ? gnomon::readScene(*text, inputName(file->string()), problems) : std::nullopt;
+    if (!text) return std::nullopt;
+    const fs::path folder = isFile(*file) ? file->parent_path() : fs::path();
+    const auto beside = [&](const std::string& path, Problems& missing) {
+        return readInput((folder / path).string(), kMaxSceneFileBytes, "use a smaller file", missing);
+    };
+    return gnomon::readScene(*text, inputName(file->string()), problems, beside);
 }
 
 std::optional<fs::path> AssetFolder::imageFileOf(const Scene& scene, const std::string& name,

@@ -24,7 +24,12 @@ ShadingPoint shadingPointAt(int object, Ray ray, float t, float width) {
     bool outside = dot(ray.direction, at.surface.normal) <= 0.0;
     at.side = outside ? 1.0 : -1.0;
     at.facing = outside ? at.surface.normal : -at.surface.normal;
+#if SMOOTH
+    vec3 smoothNormal = normalize(at.surface.normal + at.surface.lean);
+    at.normal = at.side * smoothNormal;
+#else
     at.normal = at.facing;
+#endif
     at.paint = vec4(1.0);
     at.cosine = max(-dot(ray.direction, at.facing), 1e-3);
 #if IMAGES
@@ -41,8 +46,13 @@ ShadingPoint shadingPointAt(int object, Ray ray, float t, float width) {
         vec4 placement = at.material.normalPlacement;
         vec3 bump = sampleNormal(at.material.normalMap, at.surface.uv * placement.xy + placement.zw,
             reach * placement.xy);
+#if SMOOTH
+        vec3 bitangent = cross(smoothNormal, at.surface.tangent);
+        at.normal = at.side * normalize(bump.x * at.surface.tangent + bump.y * bitangent + bump.z * smoothNormal);
+#else
         vec3 bitangent = cross(at.surface.normal, at.surface.tangent);
         at.normal = at.side * normalize(bump.x * at.surface.tangent + bump.y * bitangent + bump.z * at.surface.normal);
+#endif
     }
 #endif
     return at;

@@ -47,7 +47,10 @@ Bounds boundsOf(ShapeKind kind) {
     case ShapeKind::Disc:
     case ShapeKind::Torus:
     case ShapeKind::Capsule: return {2};
-    case ShapeKind::Triangle: return {2.5L, 3};
+    case ShapeKind::RotatedBox: return {2.5L, 3};
+    case ShapeKind::Ellipsoid: return {3, 3};
+    case ShapeKind::Triangle:
+    case ShapeKind::SmoothTriangle: return {2.5L, 3};
     case ShapeKind::Cylinder: return {2.5L};
     case ShapeKind::Cone: return {3};
     case ShapeKind::LargeSphere:
@@ -195,7 +198,7 @@ float unsignedOfPlane(const ExactShape<Real>& shape, float distance) {
 Errors errorsOf(const Shape& shape, const std::vector<BatchPoint>& points, const std::vector<BatchDistance>& answers) {
     const ExactShape<Real> exactShape(shape);
     const auto relative = [&](glm::vec3 p) { return Point(p) - exactShape.middle(); };
-    const Real stiff = exactShape.kind() == ShapeKind::Triangle ? exactShape.size() / exactShape.bend({}) : 0;
+    const Real stiff = exactShape.triangle() ? exactShape.size() / exactShape.bend({}) : 0;
     Errors errors;
     Real scaleBefore = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -61,11 +61,13 @@ void packMaterial(const Material& m, const TextureSet& textureSet, const Tiles& 
                 placement(m.normalMap, tile(tiles.normals, normal), time)});
 }
 
+bool isTriangle(ShapeKind kind) { return kind == ShapeKind::Triangle || kind == ShapeKind::SmoothTriangle; }
+
 /// Of the box about all triangles. Rays are re-centred on it.
 glm::dvec3 middleOfTriangles(const std::vector<Shape>& shapes) {
     glm::dvec3 low(std::numeric_limits<double>::infinity()), high(-low);
     for (const Shape& shape : shapes)
-        for (int i = 0; shape.kind == ShapeKind::Triangle && i < 3; ++i) {
+        for (int i = 0; isTriangle(shape.kind) && i < 3; ++i) {
             low = glm::min(low, vertexOf(shape, i));
             high = glm::max(high, vertexOf(shape, i));
         }
@@ -130,7 +132,8 @@ void ScenePacker::packShapes(glm::dvec3 eye) {
                 appendTexels(shape, texels_);
             } else {
                 appendShape(drawnAs(kind.kind, shape, eye), texels_);
-                if (kind.kind == ShapeKind::Triangle) setMiddle(middle, texels_);
+                if (isTriangle(kind.kind)) setMiddle(middle, texels_);
+                if (shape.corners) appendCorners(*shape.corners, texels_);
             }
         }
 }

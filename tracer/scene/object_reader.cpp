@@ -105,6 +105,30 @@ bool checkImageName(const Place& place, Range range, std::string_view text) {
         "use letters, digits, - and _ only: the name of a file in the texture folder without extension");
 }
 
+/// One number stands for all three.
+bool checkScales(const Place& place, Range range, glm::dvec3& target) {
+    double number;
+    if (place.value.kind == Kind::Array) return checkVector(place, range, target);
+    if (place.value.kind != Kind::Number) return place.expect(Kind::Array, "a number or [x, y, z]");
+    if (!checkNumber(place, range, number)) return false;
+    target = glm::dvec3(number);
+    return true;
+}
+
+/// As the schema's pattern has it.
+bool checkFileName(const Place& place, Range range, std::string_view text) {
+    bool begins = true, plain = !text.empty() && text.back() != '/';
+    for (const char c : text) {
+        const bool letter = std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+        plain = plain && (letter || (!begins && (c == '/' || c == ' ' || c == '.' || c == '-')));
+        begins = c == '/';
+    }
+    if (plain) return checkLength(place, range, text);
+    return place.complain(inQuotes(text) + " is not a file beside the scene",
+                          "write its name, or FOLDER/NAME: letters, digits, blanks, . - and _, none of them "
+                          "beginning with a dot");
+}
+
 } // namespace
 
 void SceneReport::add(int line, std::string path, std::string what, std::string remedy) {
@@ -215,6 +239,7 @@ bool ObjectReader::read(std::string_view key, std::string& target) const {
     if (!place.expect(Kind::String, "a string")) return false;
     if (field.type == ValueType::Text && !checkLength(place, field.range, value->text)) return false;
     if (field.type == ValueType::Image && !checkImageName(place, field.range, value->text)) return false;
+    if (field.type == ValueType::File && !checkFileName(place, field.range, value->text)) return false;
     if (field.type == ValueType::Choice) {
         const auto& choices = field.choices;
         if (std::find(choices.begin(), choices.end(), value->text) == choices.end())
@@ -249,6 +274,7 @@ bool ObjectReader::read(std::string_view key, glm::dvec3& target) const {
     const Place place{*value, pathOf(key), *report_};
     switch (field.type) {
     case ValueType::Color: return checkColor(place, field.range, target);
+    case ValueType::Scales: return checkScales(place, field.range, target);
     case ValueType::Direction: return checkDirection(place, field.range, target);
     default: return checkVector(place, field.range, target);
     }

@@ -24,7 +24,9 @@ constexpr Range kTexelScale{-1000, 1000};
 constexpr Range kGlow{1e-6, 1000};
 constexpr Range kTitle{0, 200};
 constexpr Range kDescription{0, 4000};
-constexpr Range kObjects{1, 20000};
+constexpr Range kObjects{1, kMostObjects};
+constexpr Range kDefinitions{0, 256};
+constexpr Range kFile{1, 200};
 constexpr Range kParts{1, 64};
 constexpr Range kOffset{-1e6, 1e6};
 constexpr Range kDegrees{-360, 360};
@@ -157,7 +159,8 @@ ValueType valueType(FieldType type) {
     case FieldType::Direction: return Direction;
     case FieldType::Length:
     case FieldType::Scalar: return Number;
-    case FieldType::Lengths: return Vector;
+    case FieldType::Lengths:
+    case FieldType::Rotation: return Vector;
     case FieldType::Vertices: return Vertices;
     }
     return Ignored;
@@ -168,10 +171,9 @@ const ObjectFormat& shapeFormat(const ShapeRow& row) {
         std::vector<ObjectFormat> all;
         for (const ShapeRow& shape : shapeTable()) {
             ObjectFormat& format = all.emplace_back();
-            for (const ShapeField& field : shape.fields) {
-                const bool length = field.type == FieldType::Length || field.type == FieldType::Lengths;
-                const Range range = length ? kLength : field.type == FieldType::Scalar ? field.scalar : kCoordinate;
-                format.fields.push_back({field.key, valueType(field.type), range, field.help, true});
+            for (const ShapeField& field : writtenRow(shape).fields) {
+                const bool required = field.type != FieldType::Rotation;
+                format.fields.push_back({field.key, valueType(field.type), limitsOf(field), field.help, required});
             }
         }
         return all;
@@ -192,7 +194,7 @@ const ObjectFormat& transformFormat() {
     static const ObjectFormat format{
         "A solid scaled, turned and moved, in this order",
         {{"of", Object, kAny, "What is moved", true, &partFormat()},
-         {"scale", Number, kScale, "Factor of all lengths; default 1"},
+         {"scale", Scales, kScale, "Factor of all lengths, or [x, y, z]; default 1"},
          {"rotate", Vector, kDegrees, "Degrees about x, then y, then z; default [0, 0, 0]"},
          {"translate", Vector, kCoordinate, "Default [0, 0, 0]"}}};
     return format;
@@ -237,24 +239,84 @@ const ObjectFormat& partFormat() {
     return format;
 }
 
-const ObjectFormat& objectFormat() {
+const ObjectFormat& objectFormat();
+
+/// Where a group or an instance stands: the same three keys in both.
+void addPlacement(ObjectFormat& format) {
+    for (const FieldFormat& field : {
+             FieldFormat{"scale", Scales, kScale, "Factor of all lengths, or [x, y, z]; default 1"},
+             FieldFormat{"rotate", Vector, kDegrees, "Degrees about x, then y, then z; default [0, 0, 0]"},
+             FieldFormat{"translate", Vector, kCoordinate, "Default [0, 0, 0]"},
+         })
+        format.fields.push_back(field);
+}
+
+const ObjectFormat& groupFormat() {
     static const ObjectFormat format = [] {
-        ObjectFormat object{"One shape or solid with its material", {}};
-        addShapes(object);
-        for (const FieldFormat& field : {
-                 FieldFormat{"name", Text, kName, "For messages and for other objects to move around; unique"},
-                 FieldFormat{"material", Text, kName, "Name of a material of this file; default: a plain grey"},
-                 FieldFormat{"casts_shadow", Boolean, kAny, "Whether it stands in the way of light; default true"},
-                 FieldFormat{"motion", Object, kAny, "Default: at rest", false, &motionFormat()},
-                 FieldFormat{"glow", Object, kAny, "Spheres only; default: none", false, &glowFormat()},
-             })
-            object.fields.push_back(field);
-        return object;
+        ObjectFormat group{"Objects scaled, rotated and moved together, in this order",
+                           {{"of", List, kObjects, "The objects, which may be groups", true, &objectFormat()}}};
+        addPlacement(group);
+        return group;
     }();
     return format;
 }
 
+const ObjectFormat& instanceFormat() {
+    static const ObjectFormat format = [] {
+        ObjectFormat instance{"What stands under a name in \"definitions\", scaled, rotated and moved, in this order",
+                              {{"of", Text, kName, "The name", true}}};
+        addPlacement(instance);
+        return instance;
+    }();
+    return format;
+}
+
+const ObjectFormat& meshFormat() {
+    static const ObjectFormat format{
+        "The triangles of a Wavefront OBJ file",
+        {{"file", File, kFile, "The file, beside the scene or in a folder beside it", true},
+         {"smooth", Boolean, kAny, "Normals from the file, or from the faces about each vertex; default true"}}};
+    return format;
+}
+
+/// An object refers to itself within groups, so the schema needs its name.
+const ObjectFormat& objectFormat() {
+    static ObjectFormat format{"One shape, solid, group, instance or mesh, with its material", {}, {}, "object"};
+    static bool complete = false;
+    if (complete) return format;
+    complete = true;
+    addShapes(format);
+    for (const FieldFormat& field : {
+             FieldFormat{"group", Object, kAny, "Objects moved together", false, &groupFormat()},
+             FieldFormat{"instance", Object, kAny, "What \"definitions\" has under a name", false, &instanceFormat()},
+             FieldFormat{"mesh", Object, kAny, "Triangles from a file", false, &meshFormat()},
+         }) {
+        format.fields.push_back(field);
+        format.alternatives.front().keys.push_back(field.key);
+    }
+    for (const FieldFormat& field : {
+             FieldFormat{"name", Text, kName, "For messages and for other objects to move around; unique"},
+             FieldFormat{"material", Text, kName,
+                         "Name of a material of this file; default: that of the group around it, else a plain grey"},
+             FieldFormat{"casts_shadow", Boolean, kAny, "Whether it stands in the way of light; default true"},
+             FieldFormat{"motion", Object, kAny, "Default: at rest, or as the group around it", false, &motionFormat()},
+             FieldFormat{"glow", Object, kAny, "Spheres only; default: none", false, &glowFormat()},
+         })
+        format.fields.push_back(field);
+    return format;
+}
+
 } // namespace
+
+Range limitsOf(const ShapeField& field) {
+    switch (field.type) {
+    case FieldType::Length:
+    case FieldType::Lengths: return kLength;
+    case FieldType::Scalar: return field.scalar;
+    case FieldType::Rotation: return kDegrees;
+    default: return kCoordinate;
+    }
+}
 
 const FieldFormat* ObjectFormat::find(std::string_view key) const {
     const auto field = std::find_if(fields.begin(), fields.end(), [&](const FieldFormat& f) { return f.key == key; });
@@ -276,6 +338,8 @@ const ObjectFormat& sceneFormat() {
          {"background", Object, kAny, "What rays see that hit nothing; default black", false, &backgroundFormat()},
          {"lights", List, kLights, "Lights; default none", false, &lightFormat()},
          {"materials", Map, kMaterials, "Materials by name", false, &materialFormat()},
+         {"definitions", Map, kDefinitions, "Objects by name, drawn where an instance places them", false,
+          &objectFormat()},
          {"objects", List, kObjects, "What is drawn", true, &objectFormat()}}};
     return format;
 }

@@ -21,6 +21,8 @@ enum class ValueType {
     Vertices,  ///< three [x, y, z]
     Text,      ///< `range` characters
     Image,     ///< an image's name: letters, digits, _ and -; `range` characters
+    File,      ///< a path from the scene's own folder downwards; `range` characters
+    Scales,    ///< one number or [x, y, z], each within `range`
     Choice,    ///< one of `choices`
     Object,    ///< of `format`
     ImageOrObject,
@@ -58,6 +60,12 @@ struct ObjectFormat {
 };
 
 inline constexpr Range kName{1, 64}; ///< characters of a name
+
+/// Objects in all: of a scene after groups and instances are taken apart and meshes are read.
+inline constexpr int kMostObjects = 20000;
+
+/// What the values of a shape's field may be.
+Range limitsOf(const ShapeField&);
 
 /// The whole file.
 const ObjectFormat& sceneFormat();

@@ -30,6 +30,13 @@ Json imageSchema(Range range) {
     return schema;
 }
 
+/// No name in the path begins with a dot, so that it leads nowhere but downwards.
+Json fileSchema(Range range) {
+    Json schema = textSchema(range);
+    schema["pattern"] = "^[A-Za-z0-9_][A-Za-z0-9_ .-]*(/[A-Za-z0-9_][A-Za-z0-9_ .-]*)*$";
+    return schema;
+}
+
 Json either(const Json& one, const Json& other) { return {{"anyOf", Json::array({one, other})}}; }
 
 Json listSchema(const FieldFormat& field) {
@@ -66,6 +73,8 @@ Json valueSchema(const FieldFormat& field) {
     case ValueType::Vertices: return tupleSchema(tupleSchema(number, 3), 3);
     case ValueType::Text: return textSchema(field.range);
     case ValueType::Image: return imageSchema(field.range);
+    case ValueType::File: return fileSchema(field.range);
+    case ValueType::Scales: return either(number, tupleSchema(number, 3));
     case ValueType::Choice: return {{"enum", field.choices}};
     case ValueType::Object: return objectSchema(*field.format);
     case ValueType::ImageOrObject: return either(imageSchema(kName), objectSchema(*field.format));

@@ -4,7 +4,7 @@
 // which lets the page live between samples, and what only a browser knows.
 
 import { BenchStep, benchOf } from './compare_calls.js';
-import { fetchImage, fetchScene, fetchSceneIndex } from './load.js';
+import { fetchImage, fetchScene, fetchSceneIndex, giveFiles } from './load.js';
 
 const standardRounds = 15,
   mostRounds = 10_000;
@@ -174,6 +174,7 @@ export async function compare({ tracer, session }, options = {}) {
     if (text === undefined && listed.length && !listed.includes(name))
       throw new Error(`${asked.place}: scenes: there is no scene '${name}'; there are ${listed.join(', ')}`);
     text ??= await fetchScene(name);
+    await giveFiles(tracer, text);
     check(bench.scene(text, name));
     for (const image of bench.imageNames()) check(bench.image(image, await fetchImage(image, () => {})));
   }

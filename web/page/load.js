@@ -47,6 +47,21 @@ export async function fetchScene(name) {
   }
 }
 
+/**
+ * Gives the tracer the files that a scene names: those from the scenes' folder. Of one that is missing the tracer tells
+ * itself, when it takes the scene.
+ */
+export async function giveFiles(tracer, json) {
+  for (const path of tracer.sceneFiles(json)) {
+    const url = new URL(`assets/scenes/${path.split('/').map(encodeURIComponent).join('/')}`, site);
+    try {
+      tracer.giveFile(path, new Uint8Array(await (await get(url)).arrayBuffer()));
+    } catch (error) {
+      if (error.status !== 404) throw error;
+    }
+  }
+}
+
 /** [{ name, title, description }, …] of all scenes; empty where the list is missing. */
 export async function fetchSceneIndex() {
   try {

@@ -1,6 +1,6 @@
 // The tracer at work on a canvas: scenes and their images, the frames, a context that goes and comes back.
 
-import { fetchImage, fetchScene } from './load.js';
+import { fetchImage, fetchScene, giveFiles } from './load.js';
 
 const mostPatienceMs = 3000;
 
@@ -137,6 +137,7 @@ export function startSession({ tracer, canvas, task, emit }) {
     const order = ++wantedScene;
     const json = await text;
     while (!alive()) await pause(50);
+    if (order === wantedScene) await giveFiles(tracer, json);
     if (order === wantedScene) takeScene(json, name, order);
   };
 

@@ -68,6 +68,8 @@ function wrap(module) {
     createViewer: (lines, place) => text(withStrings('createViewer', lines, place)),
     table: () => JSON.parse(text(module._settingsTableJson())),
 
+    sceneFiles: (json) => text(withStrings('sceneFiles', json)).split('\n').filter(Boolean),
+    giveFile: (path, bytes) => void withBytes('giveFile', path, bytes),
     loadScene: (json, name) => text(withStrings('loadScene', json, name)),
     imageNames: () => text(module._imageNames()).split('\n').filter(Boolean),
     giveImage: (name, bytes) => text(withBytes('giveImage', name, bytes)),
