@@ -20,12 +20,12 @@
 
 struct Host {
     std::unique_ptr<gnomon::Viewer> viewer;
-    gnomon::Problems problems; ///< of frames, until the page takes them
-    std::map<std::string, std::string> files;
+    gnomon::Problems problems;                ///< of frames, until the page takes them
+    std::map<std::string, std::string> files; ///< by path; kept, each the latest of its path
 };
 extern Host host;
 
-/// Files that scenes name, as the page has fetched them for the scene that comes next.
+/// Files that scenes name, as the page has fetched them.
 gnomon::SceneFiles givenFiles();
 
 /// Hands text out.

@@ -29,10 +29,7 @@ EMSCRIPTEN_KEEPALIVE const char* createViewer(const char* lines, const char* sou
 // --- scene and images ---
 
 /// Paths of the files that a scene's text names, one a line: what giveFile() is to give before the scene is taken.
-EMSCRIPTEN_KEEPALIVE const char* sceneFiles(const char* text) {
-    host.files.clear();
-    return give(inLines(filesOf(text)));
-}
+EMSCRIPTEN_KEEPALIVE const char* sceneFiles(const char* text) { return give(inLines(filesOf(text))); }
 
 EMSCRIPTEN_KEEPALIVE void giveFile(const char* path, const char* bytes, int size) {
     host.files[path].assign(bytes, std::size_t(size));

@@ -32,8 +32,8 @@ Bounds boundsOf(ShapeKind kind) {
     case ShapeKind::Sphere:
     case ShapeKind::Torus: return {0x1p-22, 1.5, 2, 2};
     case ShapeKind::Box: return {0x1p-23, 1.5, 1, 1};
-    case ShapeKind::RotatedBox: return {0x1p-22, 1.5, 3, 2};
-    case ShapeKind::Ellipsoid: return {0x1p-22, 1.5, 3, 3};
+    case ShapeKind::RotatedBox: return {0x1p-22, 1.5, 2, 1};
+    case ShapeKind::Ellipsoid: return {0x1p-22, 1.5, 2, 2};
     case ShapeKind::Cylinder: return {0x1p-22, 1.5, 2, 2};
     case ShapeKind::Capsule: return {0x1p-22, 2, 2, 2};
     case ShapeKind::Cone: return {0x1p-21, 2, 2, 2};

@@ -1,5 +1,6 @@
 // The cover of Ray Tracing in One Weekend, after its last chapter: many small balls about three large ones, matte,
-// metal and glass. The book's light comes from the sky all around; here from a sun, and colours in the shade are ambient.
+// metal and glass. The book's light comes from the sky all around; here from a sun, and in the shade from everywhere
+// alike.
 //
 // Source  P. Shirley, T. D. Black, S. Hollasch, Ray Tracing in One Weekend, "Where Next?"
 import { randomStream } from '../assets/noise.mjs';

