@@ -124,7 +124,7 @@ export function lattice() {
     scene: {
       title: 'Lattice: 343 joints and 1029 rods',
       description: 'A cube of cubes after the lattice of the Standard Procedural Databases: red joints, blue rods.',
-      camera: { eye: [9.4, 8.6, 11.2], target: [2.9, 2.7, 2.9], fov: 40 },
+      camera: { eye: [12.5, 10.5, 14.5], target: [3.3, 3.1, 3.3], fov: 36 },
       background: { color: [0.06, 0.08, 0.12] },
       lights: [
         { point: { position: [12, 15, 9] }, color: [1, 0.96, 0.9] },

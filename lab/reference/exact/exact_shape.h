@@ -242,9 +242,10 @@ class ExactShape {
     }
     Vec3<R> alongAxes(const Vec3<R>& p) const { return {dot(p, axes_[0]), dot(p, axes_[1]), dot(p, axes_[2])}; }
 
-    /// The foot q of p has p - q = s q / radii². Newton's method for |q / radii|² = 1 from where it is too large: the
-    /// function is convex, so that no step passes the root.
+    /// The foot q of p has p - q = s q / radii². Newton's method for 1 / |q / radii| = 1, nearly a straight line in s,
+    /// from where it is too small: it bends so that no step passes the root.
     R ellipsoidDistance(const Vec3<R>& p) const {
+        using std::sqrt;
         const R least = std::min<R>(half_.x, std::min<R>(half_.y, half_.z));
         Vec3<R> weighed, gap;
         R s = 0;
@@ -253,16 +254,16 @@ class ExactShape {
             gap[i] = (half_[i] - least) * (half_[i] + least); // told from the pole at s = -least²
             s = std::max<R>(s, weighed[i] - gap[i]);
         }
-        for (int step = 0; step < 200; ++step) {
-            R value = -1, slope = 0;
+        for (int round = 0; round < 200; ++round) {
+            R square = 0, slope = 0;
             for (int i = 0; i < 3; ++i) {
                 const R part = weighed[i] / (s + gap[i]);
-                value += part * part;
-                slope += 2 * part * part / (s + gap[i]);
+                square += part * part;
+                slope += part * part / (s + gap[i]);
             }
-            const R next = s + value / slope;
-            if (!(next > s)) break;
-            s = next;
+            const R step = (sqrt(square) - 1) * square / slope;
+            if (!(step > s * std::numeric_limits<R>::epsilon())) break;
+            s += step;
         }
         Vec3<R> off, normal;
         for (int i = 0; i < 3; ++i) {
