@@ -78,7 +78,9 @@ TEST(SmoothTriangle, StandsBesideAPlainOne) {
     const FloatImage front = outputOf(both, sized(40, 30), Aov::Object),
                      alone = outputOf(scene, sized(40, 30), Aov::Object);
     for (std::size_t i = 0; i < alone.pixels.size(); ++i)
-        if (alone.pixels[i] == 0) ASSERT_EQ(front.pixels[i], 0);
+        if (alone.pixels[i] == 0) {
+            ASSERT_EQ(front.pixels[i], 0);
+        }
     std::swap(both.objects[0], both.objects[1]);
     EXPECT_NE(outputOf(both, sized(40, 30), Aov::Object).pixels, front.pixels);
 }

@@ -6,6 +6,7 @@
 namespace gnomon {
 namespace {
 
+constexpr int kToBeNamed = -2;  // what an object moves around, until all names are known
 constexpr int kNoMaterial = -1; // yet: that of the group around, or in the end the default
 
 bool isSeveral(const ObjectReader& object) {
@@ -133,7 +134,9 @@ void ObjectsReader::place(const ObjectReader& group, std::size_t from, Target& t
     const Affine map = affineOf(placement.scale, placement.rotate, placement.translate);
     for (std::size_t i = from; i < target.objects.size(); ++i) {
         Object& object = target.objects[i];
-        auto shape = transformed(object.shape, map);
+        // What moves around another rests relative to it: that has been moved, or is to be.
+        const bool relative = object.motion && object.motion->around != -1;
+        auto shape = transformed(object.shape, relative ? Affine{map.linear} : map);
         if (const auto* complaint = std::get_if<Complaint>(&shape))
             return report_.add(group.line(), group.path(),
                                "the object of line " + std::to_string(object.line) + ": " + (*complaint)[0],
@@ -173,8 +176,9 @@ void ObjectsReader::readMotion(const ObjectReader& object, std::size_t from, Tar
                                    " moves already within what moves here",
                                "let one of them rest");
         target.objects[i].motion = orbit;
-        if (!around.empty())
-            target.names.moveAround(int(i), around, reader->lineOf("around"), reader->pathOf("around"));
+        if (around.empty()) continue;
+        target.objects[i].motion->around = kToBeNamed;
+        target.names.moveAround(int(i), around, reader->lineOf("around"), reader->pathOf("around"));
     }
 }
 
