@@ -10,6 +10,9 @@
 struct ShadingPoint {
     Surface surface;
     Material material;
+#if METALS
+    Metal metal;
+#endif
     vec3 facing;  // geometric normal on the ray's side
     vec3 normal;  // shading normal
     vec4 paint;   // rgb tints the surface, alpha masks its coat
@@ -21,6 +24,9 @@ ShadingPoint shadingPointAt(int object, Ray ray, float t, float width) {
     ShadingPoint at;
     at.surface = surfaceAt(object, ray, t);
     at.material = loadMaterial(materialOf(object));
+#if METALS
+    at.metal = loadMetal(materialOf(object));
+#endif
     bool outside = dot(ray.direction, at.surface.normal) <= 0.0;
     at.side = outside ? 1.0 : -1.0;
     at.facing = outside ? at.surface.normal : -at.surface.normal;

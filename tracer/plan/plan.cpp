@@ -12,6 +12,7 @@ void addMaterial(const Material& material, const TextureSet& textureSet, const S
                  SceneFeatures& features) {
     features.coats |= std::holds_alternative<Coat>(material.optics);
     features.conductors |= std::holds_alternative<Conductor>(material.optics);
+    features.mirrors |= std::holds_alternative<Mirror>(material.optics);
     features.refraction |= material.refracts();
     if (textureSet.paintOf(material) >= 0) features.paints = int(textureSet.paints.size());
     if (material.normalMap && settings.normalMaps) features.normalMaps = int(textureSet.normals.size());
@@ -24,7 +25,8 @@ void addMaterials(const PreparedScene& prepared, const Settings& settings, Scene
     for (const Object& object : scene.objects) used[std::size_t(object.material)] = true;
     for (std::size_t i = 0; i < used.size(); ++i)
         if (used[i]) addMaterial(scene.materials[i], prepared.textureSet, settings, features);
-    features.reflection = features.conductors || features.refraction || features.coats;
+    features.reflection = reflects(features);
+    features.exactFresnel = features.reflection && scene.fresnel == Fresnel::Exact;
 }
 
 void addLight(const Scene& scene, const Settings& settings, SceneFeatures& features) {

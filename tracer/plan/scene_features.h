@@ -45,7 +45,8 @@ struct SceneFeatures {
     std::vector<KindCount> shapes; ///< kinds drawn, in the order of PreparedScene::layout
     int materials = 0, lights = 0, glows = 0;
     int paints = 0, normalMaps = 0; ///< layers of images, none where no material in use shows one
-    bool reflection = false, refraction = false, coats = false, conductors = false;
+    bool reflection = false, refraction = false, coats = false, conductors = false, mirrors = false;
+    bool exactFresnel = false; ///< where materials reflect by indices
     bool cubemap = false, linear = false;
     ShadowModel shadows = ShadowModel::Off;
     March march = March::Cone;
@@ -55,7 +56,12 @@ struct SceneFeatures {
     bool dataBlock = false; ///< scene data in a uniform block, else in a texture
 
     int objects() const;
+    /// Conductors are told by their complex indices, not by what they reflect at normal incidence.
+    bool metals() const { return exactFresnel && conductors; }
     bool operator==(const SceneFeatures&) const = default;
 };
+
+/// Materials in use reflect or refract.
+inline bool reflects(const SceneFeatures& f) { return f.conductors || f.refraction || f.coats || f.mirrors; }
 
 } // namespace gnomon

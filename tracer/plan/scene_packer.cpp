@@ -23,7 +23,7 @@ glm::dvec3 normalReflectance(glm::dvec3 n, glm::dvec3 k) {
 struct Optics {
     glm::dvec3 f0{0};
     double ior = 0;
-    int kind = 0; ///< as kPlain … kCoat in shade/material.glsl
+    int kind = 0; ///< as kPlain … kMirror in shade/material.glsl
 };
 
 Optics opticsOf(const Material& material) {
@@ -32,7 +32,8 @@ Optics opticsOf(const Material& material) {
     if (const auto* dielectric = std::get_if<Dielectric>(&material.optics))
         return {normalReflectance(glm::dvec3(dielectric->ior), glm::dvec3(0)), dielectric->ior, 2};
     if (const auto* coat = std::get_if<Coat>(&material.optics))
-        return {normalReflectance(glm::dvec3(coat->ior), glm::dvec3(0)), 0, 3};
+        return {normalReflectance(glm::dvec3(coat->ior), glm::dvec3(0)), coat->ior, 3};
+    if (const auto* mirror = std::get_if<Mirror>(&material.optics)) return {mirror->reflectance, 0, 4};
     return {};
 }
 
@@ -102,6 +103,7 @@ std::span<const glm::vec4> ScenePacker::pack(const Plan& plan, double time, glm:
         packMaterial(material, prepared_->textureSet, tiles_, time, texels_);
     packLights();
     if (plan.scene.glows > 0) packGlows();
+    if (plan.scene.metals()) packMetals();
     assert(int(texels_.size()) == sceneTexels(plan.scene));
     return texels_;
 }
@@ -178,6 +180,15 @@ void ScenePacker::packGlows() {
             texels_.emplace_back(glm::vec4(pointOf(shapes_[i], "center"), glow->strength));
             texels_.emplace_back(glm::vec4(glow->color, glow->softness));
         }
+}
+
+/// Of every material, so that its number tells where: of others than conductors 1 + 0i.
+void ScenePacker::packMetals() {
+    for (const Material& material : prepared_->scene.materials) {
+        const auto* conductor = std::get_if<Conductor>(&material.optics);
+        const Conductor index = conductor ? *conductor : Conductor{};
+        texels_.insert(texels_.end(), {glm::vec4(index.n, 0), glm::vec4(index.k, 0)});
+    }
 }
 
 std::vector<glm::vec4> packScene(PreparedScenePtr prepared, const Plan& plan, double time) {

@@ -42,6 +42,7 @@ class ScenePacker {
     void packObjects(const ScreenSplit&);
     void packLights();
     void packGlows();
+    void packMetals();
 
     PreparedScenePtr prepared_;
     glm::dvec3 origin_;

@@ -109,6 +109,8 @@ Scene SceneReader::read(const JsonValue& document) {
     root.read("description", scene_.description);
     std::string encoding;
     if (root.read("encoding", encoding)) scene_.encoding = encoding == "display" ? Encoding::Display : Encoding::Linear;
+    std::string fresnel;
+    if (root.read("fresnel", fresnel)) scene_.fresnel = fresnel == "schlick" ? Fresnel::Schlick : Fresnel::Exact;
     if (const auto camera = root.object("camera")) readCamera(*camera);
     if (const auto background = root.object("background")) readBackground(*background);
     for (const auto& light : root.members("lights")) readLight(root.open("lights", light));
@@ -197,6 +199,8 @@ void SceneReader::readOptics(const ObjectReader& material, Material& target) {
         reader->read("mask", coat.mask);
         target.optics = coat;
     }
+    Mirror mirror;
+    if (material.read("mirror", mirror.reflectance)) target.optics = mirror;
 }
 
 std::optional<TextureUse> SceneReader::readTexture(const ObjectReader& material, std::string_view key) {

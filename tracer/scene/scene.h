@@ -42,11 +42,16 @@ struct Coat {
     std::string mask; ///< image whose red channel scales the reflection; empty: everywhere. Uses the texture's uv
 };
 
+/// Reflects the same fraction at every angle.
+struct Mirror {
+    glm::dvec3 reflectance{1};
+};
+
 struct Material {
     std::string name;
     glm::dvec3 ambient{0}, diffuse{0}, specular{0}, emission{0};
     double shininess = 1;
-    std::variant<std::monostate, Conductor, Dielectric, Coat> optics;
+    std::variant<std::monostate, Conductor, Dielectric, Coat, Mirror> optics;
     std::optional<TextureUse> texture;   ///< multiplies ambient, diffuse and emission of its own surface
     std::optional<TextureUse> normalMap; ///< tangent space, green towards the image's top
 
@@ -96,11 +101,15 @@ struct Background {
 
 enum class Encoding { Linear, Display };
 
+/// How reflectance follows from refractive indices: by the Fresnel equations, or by Schlick's approximation of them.
+enum class Fresnel { Exact, Schlick };
+
 struct Scene {
     std::string name, file, title, description;
     CameraPose camera;
     Background background;
     Encoding encoding = Encoding::Linear;
+    Fresnel fresnel = Fresnel::Exact;
     std::vector<Light> lights;
     std::vector<Material> materials; ///< [0] is the default grey
     std::vector<Object> objects;     ///< in file order: the `object` output is an index into this

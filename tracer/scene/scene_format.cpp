@@ -15,6 +15,7 @@ constexpr Range kAny{0, 0};
 constexpr Range kCoordinate{-1e6, 1e6};
 constexpr Range kLength{1e-6, 1e6};
 constexpr Range kColor{0, 1000};
+constexpr Range kReflectance{0, 1};
 constexpr Range kShininess{1, 10000};
 constexpr Range kIor{1, 4};
 constexpr Range kComplexIndex{0, 20};
@@ -119,10 +120,11 @@ const ObjectFormat& materialFormat() {
          {"conductor", Object, kAny, "Mirror of a metal", false, &conductorFormat()},
          {"dielectric", Object, kAny, "Clear as glass", false, &dielectricFormat()},
          {"coat", Object, kAny, "Clear layer, as varnish or water", false, &coatFormat()},
+         {"mirror", Color, kReflectance, "Fraction that it reflects at every angle"},
          {"texture", ImageOrObject, kAny, "Image that multiplies ambient, diffuse and emission", false,
           &textureFormat()},
          {"normal_map", ImageOrObject, kAny, "Tangent space normals, green towards +v", false, &textureFormat()}},
-        {{"optics", {"conductor", "dielectric", "coat"}, false}}};
+        {{"optics", {"conductor", "dielectric", "coat", "mirror"}, false}}};
     return format;
 }
 
@@ -272,6 +274,9 @@ const ObjectFormat& sceneFormat() {
           "linear: colours are linear light and the picture is sRGB-encoded; display: colours are display values as "
           "they are; default linear",
           false, nullptr, {"linear", "display"}},
+         {"fresnel", Choice, kAny,
+          "exact: materials reflect by the Fresnel equations; schlick: by Schlick's approximation; default exact",
+          false, nullptr, {"exact", "schlick"}},
          {"camera", Object, kAny, "Where the picture is taken from", false, &cameraFormat()},
          {"background", Object, kAny, "What rays see that hit nothing; default black", false, &backgroundFormat()},
          {"lights", List, kLights, "Lights; default none", false, &lightFormat()},

@@ -1,7 +1,11 @@
 #include "lab/reference/exact/picture.h"
 
+#include "lab/reference/exact/fresnel.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <thread>
 
@@ -18,20 +22,22 @@ Vec startOff(const SceneHit& hit, Vec normal) {
     return hit.point + 1e-12L * (std::max({size.x, size.y, size.z}) + hit.t) * normal;
 }
 
-/// Reflectance at normal incidence of a surface with complex index n + ik.
-glm::dvec3 normalReflectance(const Material& material) {
-    glm::dvec3 n(1), k(0);
+/// Per channel the index n + ik of what lies under the surface, in the float32 that the shader gets.
+std::array<std::complex<Real>, 3> indicesOf(const Material& material) {
+    glm::vec3 n(1), k(0);
     if (const auto* conductor = std::get_if<Conductor>(&material.optics)) {
-        n = conductor->n;
-        k = conductor->k;
+        n = glm::vec3(conductor->n);
+        k = glm::vec3(conductor->k);
     }
-    if (const auto* dielectric = std::get_if<Dielectric>(&material.optics)) n = glm::dvec3(dielectric->ior);
-    if (const auto* coat = std::get_if<Coat>(&material.optics)) n = glm::dvec3(coat->ior);
-    return ((n - 1.0) * (n - 1.0) + k * k) / ((n + 1.0) * (n + 1.0) + k * k);
+    if (const auto* dielectric = std::get_if<Dielectric>(&material.optics)) n = glm::vec3(float(dielectric->ior));
+    if (const auto* coat = std::get_if<Coat>(&material.optics)) n = glm::vec3(float(coat->ior));
+    return {{{n.r, k.r}, {n.g, k.g}, {n.b, k.b}}};
 }
 
-glm::dvec3 schlick(glm::dvec3 atNormal, double cosine) {
-    return atNormal + (1.0 - atNormal) * std::pow(1 - std::clamp(cosine, 0.0, 1.0), 5);
+/// By Schlick's approximation, which wants the cosine on the thinner side.
+Real schlick(std::complex<Real> index, Real cosine) {
+    const Real atNormal = std::norm((index - Real(1)) / (index + Real(1)));
+    return atNormal + (1 - atNormal) * std::pow(1 - std::clamp<Real>(cosine, 0, 1), Real(5));
 }
 
 double largest(glm::dvec3 v) { return std::max({v.x, v.y, v.z}); }
@@ -130,22 +136,35 @@ glm::dvec3 Picture::color(Vec origin, Vec direction, int depth) const {
     if (std::holds_alternative<std::monostate>(material.optics) || depth >= depth_) return sum;
 
     const Real cosine = std::clamp<Real>(-glm::dot(direction, hit.normal), 0, 1);
-    const glm::dvec3 atNormal = normalReflectance(material);
-    glm::dvec3 mirrored = schlick(atNormal, double(cosine));
+    glm::dvec3 mirrored = reflectance(material, hit.outside, cosine);
     if (const auto* dielectric = std::get_if<Dielectric>(&material.optics)) {
-        const bool entering = hit.outside;
-        const Real ior = float(dielectric->ior), eta = entering ? 1 / ior : ior;
+        const Real ior = float(dielectric->ior), eta = hit.outside ? 1 / ior : ior;
         const Real k = 1 - eta * eta * (1 - cosine * cosine); // squared cosine beyond the surface, by Snell's law
         if (k < 0) {
             mirrored = glm::dvec3(1);
         } else {
-            if (!entering) mirrored = schlick(atNormal, double(std::sqrt(k)));
             const Vec bent = glm::normalize(eta * direction + (eta * cosine - std::sqrt(k)) * hit.normal);
             sum += (1.0 - mirrored) * color(startOff(hit, -hit.normal), bent, depth + 1);
         }
     }
     const Vec back = glm::normalize(direction + 2 * cosine * hit.normal);
     return sum + mirrored * color(startOff(hit, hit.normal), back, depth + 1);
+}
+
+/// A dielectric may be left, a coat is seen from the air wherever the ray comes from.
+glm::dvec3 Picture::reflectance(const Material& material, bool outside, Real cosine) const {
+    if (const auto* mirror = std::get_if<Mirror>(&material.optics)) return mirror->reflectance;
+    const bool leaving = !outside && material.refracts();
+    const auto indices = indicesOf(material);
+    glm::dvec3 reflected(0);
+    for (int c = 0; c < 3; ++c) {
+        const std::complex<Real> index = leaving ? Real(1) / indices[std::size_t(c)] : indices[std::size_t(c)];
+        const Real squared = 1 - (1 - cosine * cosine) / std::norm(index); // of the cosine beyond, of clear media
+        const Real thinner = leaving ? std::sqrt(std::max<Real>(squared, 0)) : cosine;
+        reflected[c] = double(scene_.fresnel == Fresnel::Schlick ? schlick(indices[std::size_t(c)], thinner)
+                                                                 : fresnelReflectance(cosine, index));
+    }
+    return reflected;
 }
 
 /// Blinn-Phong, each term of each light within [0, 1].

@@ -82,6 +82,7 @@ glm::dvec3 toReference(const Shape& shape) { return referencePoint(shape) - refe
 
 Scene sourceScene(const Scene& scene) {
     Scene source = scene;
+    source.fresnel = Fresnel::Schlick;
     source.objects.clear();
     std::vector<int> first; // part of each object
     for (const Object& object : scene.objects) {

@@ -8,6 +8,7 @@ namespace gnomon {
 /// The same picture from other shapes: each box as twelve triangles of its name, material and motion, and the cube map
 /// as six planes 10 000 units from the world's origin, which show its faces and cast no shadow. The nearest plane ahead
 /// is the sky, so the camera must stay between them. An image on a box is lost: textbook triangles have no coordinates.
+/// Reflectance is by Schlick's approximation.
 Scene sourceScene(const Scene&);
 
 } // namespace gnomon
