@@ -127,7 +127,7 @@ Settings settingsFor(const ShadowPlan& plan, const ShadowWay& way, std::optional
     return settings;
 }
 
-bool marchesCones(ShadowModel model) { return model >= ShadowModel::ConeBase && model <= ShadowModel::ConeConvex; }
+bool marchesCones(ShadowModel model) { return shadowRow(model).cones; }
 bool takesSamples(ShadowModel model) { return shadowRow(model).batch > 0; }
 
 Errors errorsOf(std::vector<double> differences) {

@@ -166,6 +166,14 @@ std::optional<TraceLab::Prepared> TraceLab::prepare(const Scene& scene, const Na
 }
 
 std::vector<ViewCosts> TraceLab::measure(const Loaded& loaded, LabProgress& progress, Problems& problems) const {
+    if (const std::string beyond = beyondSource(loaded.scene); !beyond.empty()) {
+        problems.push_back({loaded.scene.file,
+                            0,
+                            {},
+                            "the source's way of tracing knows no " + beyond,
+                            "measure a scene without them"});
+        return {};
+    }
     const std::vector<NamedView> named = viewsOf(loaded.scene, settings_.size);
     std::vector<View> views;
     for (const NamedView& view : named) views.push_back(view.view);

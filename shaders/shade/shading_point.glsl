@@ -6,6 +6,9 @@
 #if IMAGES
 #include "shade/images.glsl"
 #endif
+#if CHECKERS
+#include "shade/checker.glsl"
+#endif
 
 struct ShadingPoint {
     Surface surface;
@@ -41,6 +44,9 @@ ShadingPoint shadingPointAt(int object, Ray ray, float t, float width) {
         vec4 placement = at.material.paintPlacement;
         at.paint = samplePaint(at.material.paint, at.surface.uv * placement.xy + placement.zw, reach * placement.xy);
     }
+#endif
+#if CHECKERS
+    at.paint.rgb *= checkerAt(materialOf(object), at.surface, ray.direction, at.cosine, width);
 #endif
 #if NORMAL_MAPS
     if (at.material.normalMap >= 0) {

@@ -15,7 +15,11 @@ const float kMet = 0.03;
 
 bool hidden(ShadowQuery toPoint) {
     ShadowCone cone = coneOf(toPoint);
+#if DIRECTIONAL
+    float met = max(kMet * cone.radius, 1e-6 * dot(abs(cone.start), vec3(1.0))); // a light may be at no distance
+#else
     float met = max(kMet * cone.radius, 1e-6 * (dot(abs(cone.start), vec3(1.0)) + cone.reach));
+#endif
     float t = 0.0;
     for (int i = 0; i < frame.shadowSteps && t < cone.reach; ++i) {
         float free = coneDistance(cone, t);

@@ -14,6 +14,7 @@ void addMaterial(const Material& material, const TextureSet& textureSet, const S
     features.conductors |= std::holds_alternative<Conductor>(material.optics);
     features.mirrors |= std::holds_alternative<Mirror>(material.optics);
     features.refraction |= material.refracts();
+    features.checkers |= material.checker.has_value();
     if (textureSet.paintOf(material) >= 0) features.paints = int(textureSet.paints.size());
     if (material.normalMap && settings.normalMaps) features.normalMaps = int(textureSet.normals.size());
 }
@@ -31,8 +32,15 @@ void addMaterials(const PreparedScene& prepared, const Settings& settings, Scene
 
 void addLight(const Scene& scene, const Settings& settings, SceneFeatures& features) {
     features.lights = int(scene.lights.size());
-    features.shadows = features.lights > 0 ? settings.shadows : ShadowModel::Off;
-    features.fromLight = features.shadows != ShadowModel::Off && settings.coneOrigin == ConeOrigin::Light;
+    for (const Light& light : scene.lights) {
+        features.directional |= light.kind == LightKind::Directional;
+        features.lightProfiles |= light.kind == LightKind::Spot || light.falloff > 0;
+    }
+    const bool served = shadowRow(settings.shadows).parallel || !features.directional;
+    features.shadows = features.lights == 0 ? ShadowModel::Off : served ? settings.shadows : ShadowModel::Hard;
+    // What comes from infinity has no start to march from.
+    features.fromLight =
+        features.shadows != ShadowModel::Off && settings.coneOrigin == ConeOrigin::Light && !features.directional;
     const auto count = [&](auto which) { return std::count_if(scene.objects.begin(), scene.objects.end(), which); };
     if (settings.glow) features.glows = int(count([](const Object& o) { return o.glow.has_value(); }));
     const bool solids = count([](const Object& o) { return o.shape.solid != nullptr; }) > 0;

@@ -46,7 +46,10 @@ struct SceneFeatures {
     int materials = 0, lights = 0, glows = 0;
     int paints = 0, normalMaps = 0; ///< layers of images, none where no material in use shows one
     bool reflection = false, refraction = false, coats = false, conductors = false, mirrors = false;
-    bool exactFresnel = false; ///< where materials reflect by indices
+    bool exactFresnel = false;  ///< where materials reflect by indices
+    bool checkers = false;      ///< on materials in use
+    bool directional = false;   ///< lights without end
+    bool lightProfiles = false; ///< lights that are not equally strong in every direction and at every distance
     bool cubemap = false, linear = false;
     ShadowModel shadows = ShadowModel::Off;
     March march = March::Cone;

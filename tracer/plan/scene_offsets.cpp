@@ -25,6 +25,8 @@ SceneOffsets offsetsOf(const SceneFeatures& features) {
     offsets.lights = take(features.lights * kLightTexels);
     offsets.glows = take(features.glows * kGlowTexels);
     offsets.metals = take(features.metals() ? features.materials * kMetalTexels : 0);
+    offsets.checkers = take(features.checkers ? features.materials * kCheckerTexels : 0);
+    offsets.profiles = take(features.lightProfiles ? features.lights * kProfileTexels : 0);
     offsets.end = texel;
     return offsets;
 }

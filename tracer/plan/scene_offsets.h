@@ -3,7 +3,7 @@
 ///
 /// Order: for each kind present the geometry of its objects, then the searches of the kinds that have one, then one
 /// texel for each object (material, index in the file, whether the base variant discards it), then materials, lights,
-/// glows, and what only some scenes know of their materials: complex refractive indices.
+/// glows, and what only some scenes know of their materials and lights: complex refractive indices, checkers, profiles.
 #pragma once
 
 #include "tracer/plan/scene_features.h"
@@ -16,7 +16,9 @@ inline constexpr int kDataWidth = 2048; ///< texels a row of the data texture, a
 inline constexpr int kObjectTexels = 1;
 inline constexpr int kMaterialTexels = 6;
 inline constexpr int kMetalTexels = 2;
+inline constexpr int kCheckerTexels = 2;
 inline constexpr int kLightTexels = 2;
+inline constexpr int kProfileTexels = 1;
 inline constexpr int kGlowTexels = 2;
 
 /// Of one kind. Where it has no such search, its offset is where that would lie.
@@ -29,7 +31,7 @@ struct KindOffsets {
 /// In texels.
 struct SceneOffsets {
     std::vector<KindOffsets> kinds; ///< of SceneFeatures::shapes
-    int objects = 0, materials = 0, lights = 0, glows = 0, metals = 0;
+    int objects = 0, materials = 0, lights = 0, glows = 0, metals = 0, checkers = 0, profiles = 0;
     int end = 0;
 };
 

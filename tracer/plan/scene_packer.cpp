@@ -62,6 +62,19 @@ void packMaterial(const Material& m, const TextureSet& textureSet, const Tiles& 
                 placement(m.normalMap, tile(tiles.normals, normal), time)});
 }
 
+/// From where a directional light comes: farther than any scene's coordinates tell in float32.
+constexpr double kFarAway = 1e12;
+
+/// {v, w} so that dot(v, direction) + w goes from 0, where a spot's light ends, to 1, where it is at full strength.
+glm::vec4 coneTexel(const Light& light) {
+    if (light.kind != LightKind::Spot) return {0, 0, 0, 1};
+    constexpr double kSharpest = 1e-6; // of a cosine: what float32 tells
+    const double end = std::cos(glm::radians(light.angle)),
+                 full = std::cos(glm::radians(light.angle * (1 - light.softness))),
+                 steepness = 1 / std::max(full - end, kSharpest);
+    return glm::vec4(steepness * light.direction, -steepness * end);
+}
+
 /// Of the box about all triangles. Rays are re-centred on it.
 glm::dvec3 middleOfTriangles(const std::vector<Shape>& shapes) {
     glm::dvec3 low(std::numeric_limits<double>::infinity()), high(-low);
@@ -104,6 +117,8 @@ std::span<const glm::vec4> ScenePacker::pack(const Plan& plan, double time, glm:
     packLights();
     if (plan.scene.glows > 0) packGlows();
     if (plan.scene.metals()) packMetals();
+    if (plan.scene.checkers) packCheckers();
+    if (plan.scene.lightProfiles) packProfiles();
     assert(int(texels_.size()) == sceneTexels(plan.scene));
     return texels_;
 }
@@ -168,8 +183,9 @@ void ScenePacker::packObjects(const ScreenSplit& split) {
 
 void ScenePacker::packLights() {
     for (const Light& light : prepared_->scene.lights) {
-        texels_.emplace_back(glm::vec4(light.position - origin_, light.radius));
-        texels_.emplace_back(glm::vec4(light.color, 0));
+        const bool far = light.kind == LightKind::Directional;
+        texels_.emplace_back(glm::vec4(far ? -kFarAway * light.direction : light.position - origin_, light.radius));
+        texels_.emplace_back(glm::vec4(light.color, light.falloff * light.falloff));
     }
 }
 
@@ -189,6 +205,20 @@ void ScenePacker::packMetals() {
         const Conductor index = conductor ? *conductor : Conductor{};
         texels_.insert(texels_.end(), {glm::vec4(index.n, 0), glm::vec4(index.k, 0)});
     }
+}
+
+/// Of every material; white of those that have none.
+void ScenePacker::packCheckers() {
+    for (const Material& material : prepared_->scene.materials) {
+        const Checker white{{glm::dvec3(1), glm::dvec3(1)}, {0, 0}};
+        const Checker& checker = material.checker ? *material.checker : white;
+        texels_.emplace_back(glm::vec4(checker.colors[0], checker.scale.x));
+        texels_.emplace_back(glm::vec4(checker.colors[1], checker.scale.y));
+    }
+}
+
+void ScenePacker::packProfiles() {
+    for (const Light& light : prepared_->scene.lights) texels_.push_back(coneTexel(light));
 }
 
 std::vector<glm::vec4> packScene(PreparedScenePtr prepared, const Plan& plan, double time) {

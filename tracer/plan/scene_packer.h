@@ -43,6 +43,8 @@ class ScenePacker {
     void packLights();
     void packGlows();
     void packMetals();
+    void packCheckers();
+    void packProfiles();
 
     PreparedScenePtr prepared_;
     glm::dvec3 origin_;

@@ -47,11 +47,32 @@ bool fits(const PreparedScene& prepared, const Settings& settings, const gl::Inf
     return problems.size() == before;
 }
 
+/// Where shadows are not drawn as the settings say, since a light is at no distance.
+void tellOfDirectionalLight(const PreparedScene& prepared, const Plan& plan, const Settings& settings,
+                            Problems& problems) {
+    const auto tell = [&](const std::string& what, const std::string& remedy) {
+        problems.push_back({prepared.scene.file, 0, {}, what, remedy});
+    };
+    if (!plan.scene.directional) return;
+    const ShadowRow& wanted = shadowRow(settings.shadows);
+    std::string others;
+    for (const ShadowRow& row : kShadowModels)
+        if (row.parallel) others += (others.empty() ? "" : ", ") + std::string(row.key);
+    if (!wanted.parallel)
+        tell("the scene has a directional light, which --shadows=" + std::string(wanted.key) +
+                 " does not take: its shadows are hard",
+             "use one of: " + others);
+    if (wanted.cones && settings.coneOrigin == ConeOrigin::Light)
+        tell("the scene has a directional light, from which no shadow cone can start: they start at the surface",
+             "use --cone-origin=surface");
+}
+
 /// How to draw for the settings. A problem where scene data does not lie where the settings want it.
 Plan planFor(const PreparedScene& prepared, const Settings& settings, const gl::Info& info, bool overridden,
              Problems& problems) {
     Plan plan = splitPlanOf(prepared, settings, targetOf(info));
     if (overridden) plan.split = {}; // variants are of the library's own files
+    tellOfDirectionalLight(prepared, plan, settings, problems);
     const int texels = sceneTexels(plan.scene), room = plan.target.blockTexels;
     if (plan.scene.dataBlock && texels > room) {
         plan.scene.dataBlock = false;

@@ -254,6 +254,19 @@ bool ObjectReader::read(std::string_view key, glm::dvec3& target) const {
     }
 }
 
+bool ObjectReader::read(std::string_view key, std::array<glm::dvec3, 2>& target) const {
+    const JsonValue* value = value_->find(key);
+    if (!value) return false;
+    const Place place{*value, pathOf(key), *report_};
+    const std::string example = "write [[r, g, b], [r, g, b]]";
+    if (!place.expect(Kind::Array, "a list of 2 colours", example)) return false;
+    if (const std::size_t found = value->children.size(); found != 2)
+        return place.complain("expected a list of 2 colours, found " + std::to_string(found) + " entries", example);
+    bool right = true;
+    for (std::size_t i = 0; i < 2; ++i) right &= checkColor(place.item(i), format_->find(key)->range, target[i]);
+    return right;
+}
+
 bool ObjectReader::read(std::string_view key, std::array<glm::dvec3, 3>& target) const {
     const JsonValue* value = value_->find(key);
     if (!value) return false;

@@ -162,7 +162,21 @@ void SceneReader::readLight(const ObjectReader& reader) {
         sphere->read("center", light.position);
         sphere->read("radius", light.radius);
     }
+    if (const auto directional = reader.object("directional")) {
+        light.kind = LightKind::Directional;
+        directional->read("direction", light.direction);
+    }
+    if (const auto spot = reader.object("spot")) {
+        light.kind = LightKind::Spot;
+        spot->read("position", light.position);
+        spot->read("direction", light.direction);
+        spot->read("angle", light.angle);
+        spot->read("softness", light.softness);
+    }
     reader.read("color", light.color);
+    if (reader.read("falloff", light.falloff) && light.kind == LightKind::Directional)
+        report_.add(reader.lineOf("falloff"), reader.pathOf("falloff"),
+                    "a directional light is at no distance from which it could fall off", "remove \"falloff\"");
     scene_.lights.push_back(light);
 }
 
@@ -175,6 +189,11 @@ void SceneReader::readMaterial(const ObjectReader& reader, const std::string& na
     reader.read("emission", material.emission);
     reader.read("shininess", material.shininess);
     readOptics(reader, material);
+    if (const auto squares = reader.object("checker")) {
+        Checker& checker = material.checker.emplace();
+        squares->read("colors", checker.colors);
+        squares->read("scale", checker.scale);
+    }
     material.texture = readTexture(reader, "texture");
     material.normalMap = readTexture(reader, "normal_map");
     materials_.emplace(name, int(scene_.materials.size()));

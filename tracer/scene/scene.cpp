@@ -58,7 +58,7 @@ std::vector<Shape> placed(const Scene& scene, Swing swing) {
 
 bool Material::showsImages() const {
     const auto* coat = std::get_if<Coat>(&optics);
-    return texture || normalMap || (coat && !coat->mask.empty());
+    return texture || normalMap || checker || (coat && !coat->mask.empty());
 }
 
 std::vector<Shape> shapesAt(const Scene& scene, double time) {

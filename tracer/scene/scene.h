@@ -47,11 +47,18 @@ struct Mirror {
     glm::dvec3 reflectance{1};
 };
 
+/// Two colours in turn, in squares of the surface's texture coordinates: 1 / scale wide, from uv = 0 on.
+struct Checker {
+    std::array<glm::dvec3, 2> colors{glm::dvec3(1), glm::dvec3(0)};
+    glm::dvec2 scale{1, 1};
+};
+
 struct Material {
     std::string name;
     glm::dvec3 ambient{0}, diffuse{0}, specular{0}, emission{0};
     double shininess = 1;
     std::variant<std::monostate, Conductor, Dielectric, Coat, Mirror> optics;
+    std::optional<Checker> checker;      ///< multiplies as a texture does
     std::optional<TextureUse> texture;   ///< multiplies ambient, diffuse and emission of its own surface
     std::optional<TextureUse> normalMap; ///< tangent space, green towards the image's top
 
@@ -85,12 +92,22 @@ struct Object {
     int line = 0;             ///< in the scene file
 };
 
-/// A sphere that shines, equally strong at every distance; a point where its radius is 0. It is itself no object:
-/// nothing is seen of it and it hides nothing.
+enum class LightKind {
+    Sphere,      ///< a point where its radius is 0
+    Directional, ///< so far away that its light is parallel
+    Spot         ///< a point that lights a cone
+};
+
+/// A light is itself no object: nothing is seen of it and it hides nothing.
 struct Light {
-    glm::dvec3 position{0};
+    glm::dvec3 position{0}; ///< not of a directional one
     double radius = 0;
     glm::dvec3 color{1};
+    LightKind kind = LightKind::Sphere;
+    glm::dvec3 direction{0, -1, 0}; ///< unit, in which a directional light or a spot shines
+    double angle = 30;              ///< of a spot: from its axis to where its light ends, in degrees
+    double softness = 0;            ///< of a spot: the part of that angle over which its light fades
+    double falloff = 0;             ///< distance at which it is as strong as `color` says, by its square; 0: at every
 };
 
 /// Cube map by name: faces NAME-px, -nx, -py, -ny, -pz, -nz; or one colour.

@@ -22,6 +22,8 @@ constexpr Range kComplexIndex{0, 20};
 constexpr Range kFov{1, 170};
 constexpr Range kRate{-1000, 1000};
 constexpr Range kTexelScale{-1000, 1000};
+constexpr Range kSpotAngle{1, 90};
+constexpr Range kPart{0, 1};
 constexpr Range kGlow{1e-6, 1000};
 constexpr Range kTitle{0, 200};
 constexpr Range kDescription{0, 4000};
@@ -56,25 +58,48 @@ const ObjectFormat& backgroundFormat() {
 }
 
 const ObjectFormat& pointLightFormat() {
-    static const ObjectFormat format{"Light from one point, equally strong at every distance",
+    static const ObjectFormat format{"Light from one point",
                                      {{"position", Vector, kCoordinate, "Where the light is", true}}};
     return format;
 }
 
 const ObjectFormat& sphereLightFormat() {
     static const ObjectFormat format{
-        "Light from a sphere that is not seen itself, equally strong at every distance",
+        "Light from a sphere that is not seen itself",
         {{"center", Vector, kCoordinate, "Its centre", true},
          {"radius", Number, kLength, "Its radius: the larger, the softer shadows are", true}}};
     return format;
 }
 
+const ObjectFormat& directionalLightFormat() {
+    static const ObjectFormat format{
+        "Parallel light from far away",
+        {{"direction", Direction, kCoordinate, "In which it shines: from the light to the scene", true}}};
+    return format;
+}
+
+const ObjectFormat& spotLightFormat() {
+    static const ObjectFormat format{
+        "Light from one point that is kept within a cone",
+        {{"position", Vector, kCoordinate, "Where the light is", true},
+         {"direction", Direction, kCoordinate, "Along the cone's axis, away from the light", true},
+         {"angle", Number, kSpotAngle, "From the axis to where the light ends, in degrees; default 30"},
+         {"softness", Number, kPart, "The part of the angle over which the light fades to its end; default 0"}}};
+    return format;
+}
+
 const ObjectFormat& lightFormat() {
-    static const ObjectFormat format{"A light",
-                                     {{"point", Object, kAny, "Light from one point", false, &pointLightFormat()},
-                                      {"sphere", Object, kAny, "Light from a sphere", false, &sphereLightFormat()},
-                                      {"color", Color, kColor, "Colour and strength; default [1, 1, 1]"}},
-                                     {{"light kind", {"point", "sphere"}, true}}};
+    static const ObjectFormat format{
+        "A light",
+        {{"point", Object, kAny, "Light from one point", false, &pointLightFormat()},
+         {"sphere", Object, kAny, "Light from a sphere", false, &sphereLightFormat()},
+         {"directional", Object, kAny, "Light from far away", false, &directionalLightFormat()},
+         {"spot", Object, kAny, "A cone of light", false, &spotLightFormat()},
+         {"color", Color, kColor, "Colour and strength; default [1, 1, 1]"},
+         {"falloff", Number, kLength,
+          "Distance at which the light is as strong as its colour says; it falls with the square of the distance. "
+          "Default: equally strong at every distance"}},
+        {{"light kind", {"point", "sphere", "directional", "spot"}, true}}};
     return format;
 }
 
@@ -109,6 +134,14 @@ const ObjectFormat& coatFormat() {
     return format;
 }
 
+const ObjectFormat& checkerFormat() {
+    static const ObjectFormat format{
+        "Two colours in turn, in squares of the surface's texture coordinates",
+        {{"colors", Colors, kColor, "Of the square from uv = 0 on, and of those beside it", true},
+         {"scale", Scale, kTexelScale, "Squares over one unit of the surface's uv; default 1"}}};
+    return format;
+}
+
 const ObjectFormat& materialFormat() {
     static const ObjectFormat format{
         "A material; what is not given is 0",
@@ -121,6 +154,7 @@ const ObjectFormat& materialFormat() {
          {"dielectric", Object, kAny, "Clear as glass", false, &dielectricFormat()},
          {"coat", Object, kAny, "Clear layer, as varnish or water", false, &coatFormat()},
          {"mirror", Color, kReflectance, "Fraction that it reflects at every angle"},
+         {"checker", Object, kAny, "Squares that multiply ambient, diffuse and emission", false, &checkerFormat()},
          {"texture", ImageOrObject, kAny, "Image that multiplies ambient, diffuse and emission", false,
           &textureFormat()},
          {"normal_map", ImageOrObject, kAny, "Tangent space normals, green towards +v", false, &textureFormat()}},

@@ -18,6 +18,7 @@ enum class ValueType {
     Vector,    ///< [x, y, z]
     Direction, ///< [x, y, z], not all zero
     Color,     ///< one number or [r, g, b]
+    Colors,    ///< two of these
     Vertices,  ///< three [x, y, z]
     Text,      ///< `range` characters
     Image,     ///< an image's name: letters, digits, _ and -; `range` characters

@@ -63,6 +63,7 @@ Json valueSchema(const FieldFormat& field) {
     case ValueType::Vector: return tupleSchema(number, 3);
     case ValueType::Direction: return directionSchema(field.range);
     case ValueType::Color: return either(number, tupleSchema(number, 3));
+    case ValueType::Colors: return tupleSchema(either(number, tupleSchema(number, 3)), 2);
     case ValueType::Vertices: return tupleSchema(tupleSchema(number, 3), 3);
     case ValueType::Text: return textSchema(field.range);
     case ValueType::Image: return imageSchema(field.range);

@@ -51,6 +51,8 @@ std::vector<std::pair<std::string, int>> constantsOf(const SceneFeatures& featur
     addList("kLight", at.lights, features.lights);
     if (features.glows > 0) addList("kGlow", at.glows, features.glows);
     if (features.metals()) constants.emplace_back("kMetalBase", at.metals);
+    if (features.checkers) constants.emplace_back("kCheckerBase", at.checkers);
+    if (features.lightProfiles) constants.emplace_back("kProfileBase", at.profiles);
     constants.emplace_back("kSceneTexels", at.end);
     return constants;
 }

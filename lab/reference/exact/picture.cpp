@@ -40,6 +40,19 @@ Real schlick(std::complex<Real> index, Real cosine) {
     return atNormal + (1 - atNormal) * std::pow(1 - std::clamp<Real>(cosine, 0, 1), Real(5));
 }
 
+/// Of a light over its colour, by the way to it: a spot fades in a smooth step of the cosine to its axis.
+double strengthOf(const Light& light, Vec way) {
+    const double distance = double(glm::length(way));
+    double strength = 1;
+    if (light.falloff > 0) strength = std::pow(light.falloff / std::max(distance, 1e-3 * light.falloff), 2);
+    if (light.kind != LightKind::Spot) return strength;
+    const double cosine = -glm::dot(light.direction, glm::dvec3(way)) / distance;
+    const double end = std::cos(glm::radians(light.angle)),
+                 full = std::cos(glm::radians(light.angle * (1 - light.softness)));
+    const double t = full > end ? std::clamp((cosine - end) / (full - end), 0.0, 1.0) : double(cosine > end);
+    return strength * t * t * (3 - 2 * t);
+}
+
 double largest(glm::dvec3 v) { return std::max({v.x, v.y, v.z}); }
 
 /// How far `color` is outside of the range, in its worst channel; at most 0 within.
@@ -172,22 +185,24 @@ glm::dvec3 Picture::shade(const Material& material, const SceneHit& hit, Vec dir
     glm::dvec3 sum = material.emission + material.ambient;
     const Vec start = startOff(hit, hit.normal);
     for (const Light& light : scene_.lights) {
-        const Vec position = asInShader(light.position);
-        const Vec toLight = glm::normalize(position - hit.point);
+        const bool parallel = light.kind == LightKind::Directional;
+        const Vec way = parallel ? -Vec(light.direction) : asInShader(light.position) - hit.point;
+        const Vec toLight = glm::normalize(way);
         const double cosine = double(glm::dot(hit.normal, toLight));
         if (cosine <= 0) continue;
         const double highlight = std::max(0.0, double(glm::dot(hit.normal, glm::normalize(toLight - direction))));
         const glm::dvec3 diffuse = glm::clamp(material.diffuse * cosine, 0.0, 1.0);
         const glm::dvec3 specular = glm::clamp(material.specular * std::pow(highlight, material.shininess), 0.0, 1.0);
-        const glm::dvec3 most = light.color * (diffuse + specular);
-        if (largest(most) > 0 && lit(start, position)) sum += most;
+        const glm::dvec3 most = light.color * strengthOf(light, way) * (diffuse + specular);
+        const Real end = parallel ? std::numeric_limits<Real>::infinity() : glm::length(way);
+        if (largest(most) > 0 && lit(start, parallel ? toLight : way + hit.point - start, end)) sum += most;
     }
     return sum;
 }
 
-bool Picture::lit(Vec start, Vec light) const {
-    const SceneHit between = nearestHit(casters_, start, glm::normalize(light - start));
-    return between.object < 0 || between.t >= glm::length(light - start);
+bool Picture::lit(Vec start, Vec way, Real end) const {
+    const SceneHit between = nearestHit(casters_, start, glm::normalize(way));
+    return between.object < 0 || between.t >= end;
 }
 
 Difference compare(const FloatImage& image, const Picture& picture, double tolerance) {

@@ -1,11 +1,11 @@
 /// The picture that the shader ought to draw, by a ray tracer on the CPU.
 ///
 /// Whitted's tree over the oracle's nearest hits: Blinn-Phong with hard shadows, conductors, dielectrics and coats by
-/// the Fresnel equations or Schlick's formula, as the scene says, mirrors, one background colour. Left out: textures,
-/// normal maps, cube maps, glow, and the threshold below which the shader follows no ray. Rays are long double, since
-/// what they meet is decided from 1e4 units away; colours are double. A secondary ray starts 1e-12 of its coordinates
-/// off the surface, on the side it travels on, and knows nothing else of where it starts: no object numbers, no sides,
-/// no tMin as in the shader.
+/// the Fresnel equations or Schlick's formula, as the scene says, mirrors, lights of every kind, one background colour.
+/// Left out: textures, checkers, normal maps, cube maps, glow, and the threshold below which the shader follows no ray.
+/// Rays are long double, since what they meet is decided from 1e4 units away; colours are double. A secondary ray
+/// starts 1e-12 of its coordinates off the surface, on the side it travels on, and knows nothing else of where it
+/// starts: no object numbers, no sides, no tMin as in the shader.
 #pragma once
 
 #include "lab/reference/exact/scene_hit.h"
@@ -48,7 +48,7 @@ class Picture {
     void widenAtEdges(ColorRange&, int x, int y) const;
     glm::dvec3 reflectance(const Material&, bool outside, long double cosine) const;
     glm::dvec3 shade(const Material&, const SceneHit&, Vec direction) const;
-    bool lit(Vec start, Vec light) const;
+    bool lit(Vec start, Vec way, long double end) const;
 
     Scene scene_;
     std::vector<SceneShape> shapes_, casters_;

@@ -1,5 +1,6 @@
 #include "lab/reference/textbook/source_scene.h"
 
+#include <algorithm>
 #include <array>
 
 namespace gnomon {
@@ -100,6 +101,18 @@ Scene sourceScene(const Scene& scene) {
     }
     if (!scene.background.cubemap.empty()) addSky(source);
     return source;
+}
+
+std::string beyondSource(const Scene& scene) {
+    const auto anyLight = [&](auto which) { return std::any_of(scene.lights.begin(), scene.lights.end(), which); };
+    const auto anyMaterial = [&](auto which) {
+        return std::any_of(scene.materials.begin(), scene.materials.end(), which);
+    };
+    if (anyLight([](const Light& light) { return light.kind == LightKind::Spot; })) return "spot lights";
+    if (anyLight([](const Light& light) { return light.falloff > 0; })) return "lights that fall off with distance";
+    if (anyMaterial([](const Material& m) { return m.checker.has_value(); })) return "checkers";
+    if (anyMaterial([](const Material& m) { return std::holds_alternative<Mirror>(m.optics); })) return "mirrors";
+    return {};
 }
 
 } // namespace gnomon

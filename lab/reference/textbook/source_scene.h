@@ -3,6 +3,8 @@
 
 #include "tracer/scene/scene.h"
 
+#include <string>
+
 namespace gnomon {
 
 /// The same picture from other shapes: each box as twelve triangles of its name, material and motion, and the cube map
@@ -10,5 +12,8 @@ namespace gnomon {
 /// is the sky, so the camera must stay between them. An image on a box is lost: textbook triangles have no coordinates.
 /// Reflectance is by Schlick's approximation.
 Scene sourceScene(const Scene&);
+
+/// What of the scene the source document's shaders cannot draw, as `spot lights`; empty where they draw it all.
+std::string beyondSource(const Scene&);
 
 } // namespace gnomon
