@@ -69,6 +69,14 @@ Image halved(const Image& image, bool srgb) {
     return half;
 }
 
+void mirror(Image& image) {
+    for (int y = 0; y < image.height; ++y)
+        for (int left = 0, right = image.width - 1; left < right; ++left, --right) {
+            std::uint8_t* row = &image.rgba[std::size_t(y) * image.width * 4];
+            std::swap_ranges(row + 4 * left, row + 4 * left + 4, row + 4 * right);
+        }
+}
+
 std::optional<Image> decodeImage(const std::string& name, std::span<const std::uint8_t> bytes, Problems& problems) {
     const auto refuse = [&](std::string what) {
         problems.push_back({name, 0, {}, std::move(what), "use a PNG file of at most 8192 x 8192"});

@@ -33,6 +33,9 @@ struct FloatImage {
 /// are.
 Image halved(const Image&, bool srgb);
 
+/// Left becomes right.
+void mirror(Image&);
+
 /// Decodes PNG bytes; `name` stands in the problem where that fails. What would take more than 512 MB is refused before
 /// it is decoded.
 std::optional<Image> decodeImage(const std::string& name, std::span<const std::uint8_t> bytes, Problems&);

@@ -32,10 +32,11 @@ SearchCost searchCostOf(const KindLayout& kind, const std::vector<Shape>& shapes
     return cost;
 }
 
+/// By world axes in GL's order, of which x is mirrored: cube maps are left-handed, scenes are not.
 std::vector<std::string> facesOf(const Background& background) {
     std::vector<std::string> faces;
     if (background.cubemap.empty()) return faces;
-    for (const char* side : {"-px", "-nx", "-py", "-ny", "-pz", "-nz"}) faces.push_back(background.cubemap + side);
+    for (const char* side : {"-nx", "-px", "-py", "-ny", "-pz", "-nz"}) faces.push_back(background.cubemap + side);
     return faces;
 }
 

@@ -30,7 +30,7 @@ struct PreparedScene {
     std::vector<KindLayout> layout;   ///< the kinds drawn
     std::vector<SearchCost> searches; ///< of each of them; no objects where there is nothing to search
     TextureSet textureSet;
-    std::vector<std::string> skyFaces; ///< names of the six images of the cube map; none without one
+    std::vector<std::string> skyFaces; ///< the cube map's images towards +x −x +y −y +z −z; none without one
     bool moves = false;                ///< changesWithTime()
 };
 

@@ -84,6 +84,7 @@ void SceneImages::uploadSky(const Pictures& pictures) {
                               return face.width == face.height && face.width == faces[0].width;
                           });
     if (!complete) faces.assign(6, flat(8, 10, 18)); // night, until all six faces are there
+    for (Image& face : faces) mirror(face);          // as GL wants them: seen from without
     sky_ = gl::makeCubemap(faces, coding());
 }
 

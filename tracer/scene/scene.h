@@ -88,7 +88,7 @@ struct Light {
     glm::dvec3 color{1};
 };
 
-/// Cube map by name: faces NAME-px, -nx, -py, -ny, -pz, -nz; or one colour.
+/// Cube map by name: faces NAME-px, -nx, -py, -ny, -pz, -nz, of which px lies towards −x (docs/scenes.md); or one colour.
 struct Background {
     glm::dvec3 color{0};
     std::string cubemap;

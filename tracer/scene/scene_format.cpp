@@ -49,7 +49,9 @@ const ObjectFormat& backgroundFormat() {
     static const ObjectFormat format{
         "What rays see that hit nothing; default black",
         {{"color", Color, kColor, "The same colour everywhere"},
-         {"cubemap", Image, kName, "Six images NAME-px, NAME-nx, NAME-py, NAME-ny, NAME-pz, NAME-nz"}},
+         {"cubemap", Image, kName,
+          "Six images NAME-px, NAME-nx, NAME-py, NAME-ny, NAME-pz, NAME-nz, as seen from within; those of z and y lie "
+          "towards +z, -z, +y, -y, NAME-px lies towards -x and NAME-nx towards +x"}},
         {{"background", {"color", "cubemap"}, true}}};
     return format;
 }

@@ -7,19 +7,19 @@ namespace {
 
 constexpr double kSkyDistance = 10000;
 
-/// A face of a cube map: where it lies, and the ways in which its image's columns and rows run (OpenGL 4.6,
-/// table 8.19).
+/// A face of a cube map: where it lies, and the ways in which its image's columns and rows run: OpenGL 4.6, table 8.19,
+/// with x mirrored (docs/scenes.md).
 struct SkyFace {
     const char* suffix;
     glm::dvec3 outward, across, down;
 };
 constexpr std::array<SkyFace, 6> kSkyFaces{{
-    {"-px", {1, 0, 0}, {0, 0, -1}, {0, -1, 0}},
-    {"-nx", {-1, 0, 0}, {0, 0, 1}, {0, -1, 0}},
-    {"-py", {0, 1, 0}, {1, 0, 0}, {0, 0, 1}},
-    {"-ny", {0, -1, 0}, {1, 0, 0}, {0, 0, -1}},
-    {"-pz", {0, 0, 1}, {1, 0, 0}, {0, -1, 0}},
-    {"-nz", {0, 0, -1}, {-1, 0, 0}, {0, -1, 0}},
+    {"-px", {-1, 0, 0}, {0, 0, -1}, {0, -1, 0}},
+    {"-nx", {1, 0, 0}, {0, 0, 1}, {0, -1, 0}},
+    {"-py", {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}},
+    {"-ny", {0, -1, 0}, {-1, 0, 0}, {0, 0, -1}},
+    {"-pz", {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}},
+    {"-nz", {0, 0, -1}, {1, 0, 0}, {0, -1, 0}},
 }};
 
 /// Shows all of the image once: a plane's uv is in scene units, from the stated point on
