@@ -16,10 +16,12 @@ const float kMet = 0.03;
 bool hidden(ShadowQuery toPoint) {
     ShadowCone cone = coneOf(toPoint);
     float met = max(kMet * cone.radius, 1e-6 * (dot(abs(cone.start), vec3(1.0)) + cone.reach));
+    float taper = taperOf(cone);
+    float end = endOf(cone, taper);
     float t = 0.0;
-    for (int i = 0; i < frame.shadowSteps && t < cone.reach; ++i) {
+    for (int i = 0; i < frame.shadowSteps && t < end; ++i) {
         float free = coneDistance(cone, t);
-        if (free < met) return true;
+        if (free < met * (1.0 - t * taper)) return true;
         t += free;
     }
     return false;
