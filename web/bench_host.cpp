@@ -83,9 +83,9 @@ EMSCRIPTEN_KEEPALIVE const char* benchScene(const char* text, const char* name) 
 /// Names of the images of the scene given last, one a line.
 EMSCRIPTEN_KEEPALIVE const char* benchImageNames() { return give(inLines(imagesOf(bench->scenes.back().scene))); }
 
-EMSCRIPTEN_KEEPALIVE const char* benchImage(const char* name, const std::uint8_t* bytes, int size) {
+EMSCRIPTEN_KEEPALIVE const char* benchImage(const char* name, const std::uint8_t* bytes, int size, int width) {
     Problems problems;
-    if (std::optional<Image> image = decodeImage(name, {bytes, std::size_t(size)}, problems))
+    if (std::optional<Image> image = imageFrom(name, {bytes, std::size_t(size)}, width, problems))
         bench->scenes.back().images.emplace_back(name, std::move(*image));
     return give(toString(problems));
 }

@@ -20,6 +20,12 @@ const int* hand(int width, int height, int channels, const void* values) {
     return readback;
 }
 
+std::optional<gnomon::Image> imageFrom(const std::string& name, std::span<const std::uint8_t> bytes, int width,
+                                       gnomon::Problems& problems) {
+    if (width <= 0) return gnomon::decodeImage(name, bytes, problems);
+    return gnomon::Image{width, int(bytes.size() / 4 / std::size_t(width)), {bytes.begin(), bytes.end()}};
+}
+
 std::vector<std::string> linesOf(std::string_view text) {
     std::vector<std::string> lines;
     while (!text.empty()) {

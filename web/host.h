@@ -10,7 +10,10 @@
 
 #include <emscripten.h>
 
+#include <cstdint>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -27,6 +30,10 @@ const char* give(std::string text);
 
 /// Hands a picture or an array of floats out: width, height, channels and address, for as long as `values` live.
 const int* hand(int width, int height, int channels, const void* values);
+
+/// Of a file's bytes, or of texels where they have a width: those of formats that the browser decodes.
+std::optional<gnomon::Image> imageFrom(const std::string& name, std::span<const std::uint8_t> bytes, int width,
+                                       gnomon::Problems&);
 
 std::vector<std::string> linesOf(std::string_view text);
 std::string inLines(const std::vector<std::string>& lines);

@@ -1,8 +1,8 @@
 // Sky: the stars to magnitude 7.2 where a catalogue has them, and the Milky Way within its observed outlines.
 //
-// makeSky(report) -> {'sky-px.png' … 'sky-nz.png'}: six faces as standard cube maps have them. Their axes are left-handed
-//                        and the scene's are not, so that one is mirrored (docs/scenes.md): the file sky-px shows
-//                        what lies towards -x
+// makeSky(report) -> {'sky-px.png' … 'sky-nz.png'}: six faces as standard cube maps have them. Their axes are
+//                        left-handed and the scene's are not, so that one is mirrored (docs/scenes.md): the file sky-px
+//                        shows what lies towards -x
 // skyDirection(ra, dec)  the world direction of a place of the sky (degrees): +y is the celestial north pole, +x the
 //                        point of spring, right-handed; right ascension grows to the left as seen from inside with
 //                        north up

@@ -7,6 +7,7 @@ namespace {
 
 std::string inScene(const SceneFeatures& s) {
     if (s.reflection != (s.conductors || s.coats || s.refraction)) return "reflection without a material that reflects";
+    if (s.cubemap + s.panorama + s.gradient > 1) return "more than one background";
     if (s.shadows != ShadowModel::Off && s.lights == 0) return "shadows without a light";
     if (s.fromLight && s.shadows == ShadowModel::Off) return "shadow cones from the light without shadows";
     if (shadowRow(s.shadows).distances && !s.distances) return "a shadow model without the distances it asks for";

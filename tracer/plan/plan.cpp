@@ -58,6 +58,8 @@ Plan planOf(const PreparedScene& prepared, const Settings& settings, const Codeg
     features.march = settings.march;
     features.linear = prepared.scene.encoding == Encoding::Linear;
     features.cubemap = !prepared.skyFaces.empty();
+    features.panorama = !prepared.scene.background.image.empty();
+    features.gradient = prepared.scene.background.gradient.has_value();
     features.materials = int(prepared.scene.materials.size());
     addMaterials(prepared, settings, features);
     addLight(prepared.scene, settings, features);

@@ -46,7 +46,8 @@ struct SceneFeatures {
     int materials = 0, lights = 0, glows = 0;
     int paints = 0, normalMaps = 0; ///< layers of images, none where no material in use shows one
     bool reflection = false, refraction = false, coats = false, conductors = false;
-    bool cubemap = false, linear = false;
+    bool cubemap = false, panorama = false, gradient = false; ///< at most one: else the background has one colour
+    bool linear = false;
     ShadowModel shadows = ShadowModel::Off;
     March march = March::Cone;
     bool fromLight = false; ///< shadow cones are marched from the light

@@ -24,6 +24,7 @@ SceneOffsets offsetsOf(const SceneFeatures& features) {
     offsets.materials = take(features.materials * kMaterialTexels);
     offsets.lights = take(features.lights * kLightTexels);
     offsets.glows = take(features.glows * kGlowTexels);
+    offsets.gradient = take(features.gradient ? kGradientTexels : 0);
     offsets.end = texel;
     return offsets;
 }

@@ -3,7 +3,7 @@
 ///
 /// Order: for each kind present the geometry of its objects, then the searches of the kinds that have one, then one
 /// texel for each object (material, index in the file, whether the base variant discards it), then materials, lights,
-/// glows.
+/// glows, gradient.
 #pragma once
 
 #include "tracer/plan/scene_features.h"
@@ -17,6 +17,7 @@ inline constexpr int kObjectTexels = 1;
 inline constexpr int kMaterialTexels = 6;
 inline constexpr int kLightTexels = 2;
 inline constexpr int kGlowTexels = 2;
+inline constexpr int kGradientTexels = 2;
 
 /// Of one kind. Where it has no such search, its offset is where that would lie.
 struct KindOffsets {
@@ -28,7 +29,7 @@ struct KindOffsets {
 /// In texels.
 struct SceneOffsets {
     std::vector<KindOffsets> kinds; ///< of SceneFeatures::shapes
-    int objects = 0, materials = 0, lights = 0, glows = 0;
+    int objects = 0, materials = 0, lights = 0, glows = 0, gradient = 0;
     int end = 0;
 };
 

@@ -102,6 +102,8 @@ std::span<const glm::vec4> ScenePacker::pack(const Plan& plan, double time, glm:
         packMaterial(material, prepared_->textureSet, tiles_, time, texels_);
     packLights();
     if (plan.scene.glows > 0) packGlows();
+    if (const auto& gradient = prepared_->scene.background.gradient)
+        texels_.insert(texels_.end(), {glm::vec4(gradient->bottom, 0), glm::vec4(gradient->top, 0)});
     assert(int(texels_.size()) == sceneTexels(plan.scene));
     return texels_;
 }

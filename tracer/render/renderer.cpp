@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <chrono>
 #include <thread>
+#include <utility>
 
 namespace gnomon {
 namespace {
@@ -183,12 +184,14 @@ bool Renderer::setScene(const Scene& scene, Problems& problems) {
     return true;
 }
 
-void Renderer::setImage(const std::string& name, const Image& image) {
-    impl_->frame.pictures[name] = image;
+void Renderer::setImage(const std::string& name, Image image) {
+    impl_->frame.pictures.images[name] = std::move(image);
     ++impl_->version;
     for (const auto& scene : {impl_->wanted.scene, impl_->drawn.scene})
         if (scene) scene->images().arrived(name);
 }
+
+void Renderer::useImagesOnce() { impl_->frame.pictures.once = true; }
 
 void Renderer::configure(const Settings& settings) {
     const bool alike = planAlike(impl_->settings, settings) && passesAlike(impl_->settings, settings);

@@ -32,7 +32,9 @@ class Renderer {
 
     /// Takes a checked scene. False, with problems, where this GL cannot hold it; the old scene then stays.
     bool setScene(const Scene&, Problems&);
-    void setImage(const std::string& name, const Image&);
+    void setImage(const std::string& name, Image);
+    /// Images leave memory when they are on the GPU. Another scene or context has to be given them again.
+    void useImagesOnce();
 
     /// Other overrides from here on, as in the constructor. What draws goes on until the new program is ready.
     void replaceShaders(std::span<const ShaderFile> overrides);

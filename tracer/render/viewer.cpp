@@ -62,7 +62,7 @@ void Viewer::placeCamera() {
     camera_.setPose(pose);
 }
 
-void Viewer::setImage(const std::string& name, const Image& image) { renderer_.setImage(name, image); }
+void Viewer::setImage(const std::string& name, Image image) { renderer_.setImage(name, std::move(image)); }
 
 bool Viewer::set(std::string_view key, std::string_view text, std::string_view source, Problems& problems) {
     const Settings before = settings_;

@@ -25,7 +25,7 @@ class Viewer {
     /// fov hold for the first scene; a later one brings its own. The same scene again keeps the view where the user
     /// moved it.
     bool setScene(Scene, Problems&);
-    void setImage(const std::string& name, const Image&);
+    void setImage(const std::string& name, Image);
     const Scene& scene() const { return scene_; }
 
     /// One setting by name, as a panel or a script changes it. `eye`, `target`, `fov` and `time` act at once.

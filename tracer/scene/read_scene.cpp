@@ -151,6 +151,12 @@ void SceneReader::readCamera(const ObjectReader& camera) {
 void SceneReader::readBackground(const ObjectReader& background) {
     background.read("color", scene_.background.color);
     background.read("cubemap", scene_.background.cubemap);
+    background.read("image", scene_.background.image);
+    if (const auto gradient = background.object("gradient")) {
+        Gradient& target = scene_.background.gradient.emplace();
+        gradient->read("top", target.top);
+        gradient->read("bottom", target.bottom);
+    }
 }
 
 void SceneReader::readLight(const ObjectReader& reader) {

@@ -83,6 +83,7 @@ std::vector<std::string> imagesOf(const Scene& scene) {
     if (!scene.background.cubemap.empty())
         for (const char* face : {"-px", "-nx", "-py", "-ny", "-pz", "-nz"})
             addOnce(names, scene.background.cubemap + face);
+    addOnce(names, scene.background.image);
     for (const Material& material : scene.materials) {
         if (material.texture) addOnce(names, material.texture->image);
         if (material.normalMap) addOnce(names, material.normalMap->image);

@@ -23,7 +23,7 @@ struct CameraPose {
 
 /// How an image lies on a surface: texel coordinate = uv * scale + scroll * time, repeated.
 struct TextureUse {
-    std::string image; ///< name of a PNG in the texture folder, without extension
+    std::string image; ///< its name: native/file/asset_folder.h finds the file
     glm::dvec2 scale{1, 1};
     glm::dvec2 scroll{0, 0}; ///< per second
 };
@@ -88,10 +88,17 @@ struct Light {
     glm::dvec3 color{1};
 };
 
-/// Cube map by name: faces NAME-px, -nx, -py, -ny, -pz, -nz, of which px lies towards −x (docs/scenes.md); or one colour.
+/// From straight down to straight up; between, by the y of the direction.
+struct Gradient {
+    glm::dvec3 top{0}, bottom{0};
+};
+
+/// What rays see that hit nothing: one colour, or else one of the others.
 struct Background {
     glm::dvec3 color{0};
-    std::string cubemap;
+    std::string cubemap; ///< NAME of six images, of which NAME-px lies towards −x (docs/scenes.md)
+    std::string image;   ///< all around: columns are longitude, −z in the middle; rows latitude, +y first
+    std::optional<Gradient> gradient;
 };
 
 enum class Encoding { Linear, Display };

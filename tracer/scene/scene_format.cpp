@@ -18,7 +18,7 @@ constexpr Range kColor{0, 1000};
 constexpr Range kShininess{1, 10000};
 constexpr Range kIor{1, 4};
 constexpr Range kComplexIndex{0, 20};
-constexpr Range kFov{1, 170};
+constexpr Range kFov{0.001, 170};
 constexpr Range kRate{-1000, 1000};
 constexpr Range kTexelScale{-1000, 1000};
 constexpr Range kGlow{1e-6, 1000};
@@ -45,14 +45,24 @@ const ObjectFormat& cameraFormat() {
     return format;
 }
 
+const ObjectFormat& gradientFormat() {
+    static const ObjectFormat format{
+        "From one colour straight down to another straight up: bottom + (top - bottom) (1 + y) / 2 in direction y",
+        {{"top", Color, kColor, "Straight up", true}, {"bottom", Color, kColor, "Straight down", true}}};
+    return format;
+}
+
 const ObjectFormat& backgroundFormat() {
     static const ObjectFormat format{
         "What rays see that hit nothing; default black",
         {{"color", Color, kColor, "The same colour everywhere"},
-         {"cubemap", Image, kName,
+         {"gradient", Object, kAny, "From one colour to another", false, &gradientFormat()},
+         {"image", Panorama, kImageName,
+          "An image all around, equirectangular: -z in the middle, +x on its right, +y at the top"},
+         {"cubemap", Image, kImageName,
           "Six images NAME-px, NAME-nx, NAME-py, NAME-ny, NAME-pz, NAME-nz, as seen from within; those of z and y lie "
           "towards +z, -z, +y, -y, NAME-px lies towards -x and NAME-nx towards +x"}},
-        {{"background", {"color", "cubemap"}, true}}};
+        {{"background", {"color", "gradient", "image", "cubemap"}, true}}};
     return format;
 }
 
@@ -82,7 +92,8 @@ const ObjectFormat& lightFormat() {
 const ObjectFormat& textureFormat() {
     static const ObjectFormat format{
         "How an image lies on a surface: texel coordinate = uv * scale + scroll * time, repeated",
-        {{"image", Image, kName, "Name of a PNG in the texture folder, without extension", true},
+        {{"image", Image, kImageName,
+          "Name of a PNG or JPEG beside the scene or in the texture folder, with or without extension", true},
          {"scale", Scale, kTexelScale, "Repetitions over the surface's uv; default 1"},
          {"scroll", Pair, kTexelScale, "Motion of the texel coordinate per second; default [0, 0]"}}};
     return format;
@@ -106,7 +117,7 @@ const ObjectFormat& coatFormat() {
     static const ObjectFormat format{
         "A clear layer over the surface's own colour: reflects, does not refract",
         {{"ior", Number, kIor, "Refractive index", true},
-         {"mask", Image, kName, "Image whose red channel scales the reflection; default: everywhere"}}};
+         {"mask", Image, kImageName, "Image whose red channel scales the reflection; default: everywhere"}}};
     return format;
 }
 

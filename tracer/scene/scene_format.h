@@ -20,7 +20,8 @@ enum class ValueType {
     Color,     ///< one number or [r, g, b]
     Vertices,  ///< three [x, y, z]
     Text,      ///< `range` characters
-    Image,     ///< an image's name: letters, digits, _ and -; `range` characters
+    Image,     ///< an image's name: a file in the scene's folder or below; `range` characters
+    Panorama,  ///< the same, which may hold light beyond white
     Choice,    ///< one of `choices`
     Object,    ///< of `format`
     ImageOrObject,
@@ -57,7 +58,8 @@ struct ObjectFormat {
     const FieldFormat* find(std::string_view key) const;
 };
 
-inline constexpr Range kName{1, 64}; ///< characters of a name
+inline constexpr Range kName{1, 64};       ///< characters of a name
+inline constexpr Range kImageName{1, 200}; ///< and of an image's
 
 /// The whole file.
 const ObjectFormat& sceneFormat();

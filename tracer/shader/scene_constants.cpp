@@ -50,6 +50,7 @@ std::vector<std::pair<std::string, int>> constantsOf(const SceneFeatures& featur
     addList("kMaterial", at.materials, features.materials);
     addList("kLight", at.lights, features.lights);
     if (features.glows > 0) addList("kGlow", at.glows, features.glows);
+    if (features.gradient) constants.emplace_back("kGradientBase", at.gradient);
     constants.emplace_back("kSceneTexels", at.end);
     return constants;
 }

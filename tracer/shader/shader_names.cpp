@@ -80,6 +80,8 @@ Names namesOf(const Plan& plan) {
         {"NORMAL_MAPS", f.normalMaps},
         {"IMAGES", f.paints + f.normalMaps},
         {"CUBEMAP", f.cubemap},
+        {"PANORAMA", f.panorama},
+        {"GRADIENT", f.gradient},
         {"LINEAR", f.linear},
         {"LIGHTS", f.lights},
         {"GLOWS", f.glows},

@@ -4,7 +4,7 @@
 // which lets the page live between samples, and what only a browser knows.
 
 import { BenchStep, benchOf } from './compare_calls.js';
-import { fetchImage, fetchScene, fetchSceneIndex } from './load.js';
+import { fetchImage, fetchScene, fetchSceneIndex, handImage } from './load.js';
 
 const standardRounds = 15,
   mostRounds = 10_000;
@@ -175,7 +175,8 @@ export async function compare({ tracer, session }, options = {}) {
       throw new Error(`${asked.place}: scenes: there is no scene '${name}'; there are ${listed.join(', ')}`);
     text ??= await fetchScene(name);
     check(bench.scene(text, name));
-    for (const image of bench.imageNames()) check(bench.image(image, await fetchImage(image, () => {})));
+    for (const image of bench.imageNames())
+      check(await handImage(bench, image, await fetchImage(image, () => {})));
   }
 }
 

@@ -36,6 +36,12 @@ glm::dvec3 schlick(glm::dvec3 atNormal, double cosine) {
 
 double largest(glm::dvec3 v) { return std::max({v.x, v.y, v.z}); }
 
+glm::dvec3 background(const Background& background, Vec direction) {
+    if (!background.gradient) return background.color;
+    const auto& [top, bottom] = *background.gradient;
+    return bottom + (top - bottom) * double((1 + direction.y) / 2);
+}
+
 /// How far `color` is outside of the range, in its worst channel; at most 0 within.
 double beyondRange(glm::dvec3 color, const ColorRange& range) {
     double worst = 0;
@@ -124,7 +130,7 @@ void Picture::widenAtEdges(ColorRange& range, int x, int y) const {
 
 glm::dvec3 Picture::color(Vec origin, Vec direction, int depth) const {
     const SceneHit hit = nearestHit(shapes_, origin, direction);
-    if (hit.object < 0) return scene_.background.color;
+    if (hit.object < 0) return background(scene_.background, direction);
     const Material& material = scene_.materials[std::size_t(scene_.objects[std::size_t(hit.object)].material)];
     glm::dvec3 sum = shade(material, hit, direction);
     if (std::holds_alternative<std::monostate>(material.optics) || depth >= depth_) return sum;
