@@ -86,7 +86,8 @@ gl::Texture SceneImages::upload(const std::vector<glm::ivec2>& sizes, const gl::
 
 Tiles SceneImages::uploadLayers(Pictures& pictures, Problems& problems) {
     const Image none, grey = flat(128, 128, 128), level = flat(128, 128, 255), dry = flat(0, 0, 0);
-    const auto& [paints, normals] = prepared_->textureSet;
+    const std::vector<Paint>& paints = prepared_->textureSet.paints;
+    const std::vector<std::string>& normals = prepared_->textureSet.normals;
     const auto colorOf = [&](const Paint& paint) -> const Image& { return paint.color.empty() ? none : grey; };
     const auto maskOf = [&](const Paint& paint) -> const Image& { return paint.mask.empty() ? none : dry; };
     std::vector<glm::ivec2> paintSizes, normalSizes;
