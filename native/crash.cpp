@@ -55,9 +55,10 @@ extern "C" void crash(int signal) {
     std::abort();
 }
 
-} // namespace
+/// Before the tables that are made before main(), which take memory, too.
+[[gnu::constructor(101)]] void tellCrashes() { std::set_terminate(terminate); }
 
-void tellCrashes() { std::set_terminate(terminate); }
+} // namespace
 
 void blameGl(std::string_view context) {
     blamed = {};

@@ -12,12 +12,22 @@
 
 namespace gnomon {
 
-int fail(ExitCode code, const Problems& problems) {
+namespace {
+
+void tell(const char* kind, const Problems& problems) {
     std::fflush(stdout); // what was printed before stands before them
     for (const auto& problem : screenful(problems))
-        std::fprintf(stderr, "gnomon: error: %s\n", printable(toString(problem)).c_str());
+        std::fprintf(stderr, "gnomon: %s: %s\n", kind, printable(toString(problem)).c_str());
+}
+
+} // namespace
+
+int fail(ExitCode code, const Problems& problems) {
+    tell("error", problems);
     return code;
 }
+
+void note(const Problems& problems) { tell("note", problems); }
 
 void holdStandardStreams() {
     // Opened the wrong way round, so that they still cannot be used.

@@ -10,6 +10,9 @@ enum ExitCode { kDone = 0, kInputWrong = 1, kCommandLineWrong = 2, kNoGl = 3, kI
 /// A screenful of problems as `gnomon: error: …` on stderr; `code`.
 int fail(ExitCode code, const Problems&);
 
+/// What hinders nothing, as `gnomon: note: …` on stderr.
+void note(const Problems&);
+
 /// Streams that the program was started without are held: no file that is opened later takes their place and gets what
 /// is printed.
 void holdStandardStreams();

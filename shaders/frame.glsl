@@ -2,7 +2,7 @@
 //
 // eye, right, up, forward  camera; right and up are scaled so that the canvas' edges lie at ±1
 // origin         of all coordinates of the shader, in the world: originOf() in tracer/plan/drawn.h
-// background     colour where nothing is hit and there is no cube map
+// background     colour where nothing is hit and there is neither image nor gradient
 // channels       xyz: which of r, g, b each output channel shows
 // zero           0, which no compiler knows: an optimisation barrier (ray/split.glsl)
 // canvas         size in pixels

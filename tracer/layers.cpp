@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace gnomon {
 namespace {
@@ -25,7 +26,7 @@ Between between(int i, int from, int to) {
 }
 
 /// At least as wide and high; between texels by shares, as a GPU would magnify it.
-Image stretched(const Image& image, int width, int height) {
+Image stretched(Image image, int width, int height) {
     if (image.width == width && image.height == height) return image;
     Image out{width, height, {}};
     out.rgba.reserve(std::size_t(width) * std::size_t(height) * kChannels);
@@ -51,30 +52,41 @@ bool powerOfTwo(int n) { return (n & (n - 1)) == 0; }
 /// Side of the tile that an image of side `n` becomes in layers of side `layer`.
 int tileSide(int n, int layer) { return layer % n == 0 && powerOfTwo(n) && powerOfTwo(layer / n) ? n : layer; }
 
-Image blank(int width, int height) {
+/// The image again and again.
+Image repeated(const Image& tile, int width, int height) {
+    Image out{width, height, {}};
+    out.rgba.reserve(std::size_t(width) * std::size_t(height) * kChannels);
+    for (int y = 0; y < height; ++y)
+        for (int x = 0; x < width; x += tile.width) {
+            const std::uint8_t* row = texel(tile, 0, y % tile.height);
+            out.rgba.insert(out.rgba.end(), row, row + std::min(tile.width, width - x) * kChannels);
+        }
+    return out;
+}
+
+Image white(int width, int height) {
     return {width, height, std::vector<std::uint8_t>(std::size_t(width) * std::size_t(height) * kChannels, 255)};
 }
 
 } // namespace
 
-Layers::Layers(std::vector<Image> images, bool srgb, int side, std::size_t bytes) {
+Layers::Layers(const std::vector<glm::ivec2>& sizes, bool srgb, int side, std::size_t bytes) : srgb_(srgb) {
+    for (const glm::ivec2 size : sizes) tiles_.push_back({size});
     for (;;) {
-        width_ = height_ = 0;
-        for (const Image& image : images) {
-            width_ = std::max(width_, image.width);
-            height_ = std::max(height_, image.height);
-        }
-        const std::size_t taken = std::size_t(width_) * std::size_t(height_) * kChannels * images.size();
+        glm::ivec2 most(0);
+        for (const Tile& tile : tiles_) most = glm::max(most, tile.size);
+        width_ = most.x;
+        height_ = most.y;
+        const std::size_t taken = std::size_t(width_) * std::size_t(height_) * kChannels * tiles_.size();
         if ((taken <= bytes && std::max(width_, height_) <= side) || (width_ == 1 && height_ == 1)) break;
         reduced_ = true;
-        for (Image& image : images)
-            if (2 * image.width > width_ || 2 * image.height > height_) image = halved(image, srgb);
+        for (Tile& tile : tiles_) {
+            if (2 * tile.size.x <= width_ && 2 * tile.size.y <= height_) continue;
+            tile.size = glm::max(tile.size / 2, 1);
+            ++tile.halvings;
+        }
     }
-    for (const Image& image : images) {
-        std::vector<Image> chain{stretched(image, tileSide(image.width, width_), tileSide(image.height, height_))};
-        while (chain.back().width > 1 || chain.back().height > 1) chain.push_back(halved(chain.back(), srgb));
-        chains_.push_back(std::move(chain));
-    }
+    for (Tile& tile : tiles_) tile.size = {tileSide(tile.size.x, width_), tileSide(tile.size.y, height_)};
 }
 
 int Layers::levels() const {
@@ -83,30 +95,27 @@ int Layers::levels() const {
     return count;
 }
 
-Image Layers::at(int layer, int level) const {
-    const std::vector<Image>& chain = chains_[std::size_t(layer)];
-    const Image& tile = chain[std::min(std::size_t(level), chain.size() - 1)];
-    Image out{width(level), height(level), {}};
-    if (tile.width == out.width && tile.height == out.height) return tile;
-    out.rgba.reserve(std::size_t(out.width) * std::size_t(out.height) * kChannels);
-    for (int y = 0; y < out.height; ++y)
-        for (int x = 0; x < out.width; x += tile.width) {
-            const std::uint8_t* row = texel(tile, 0, y % tile.height);
-            out.rgba.insert(out.rgba.end(), row, row + std::min(tile.width, out.width - x) * kChannels);
-        }
-    return out;
+void Layers::forEachLevel(int layer, Image image, const std::function<void(int, const Image&)>& take) const {
+    const Tile& tile = tiles_[std::size_t(layer)];
+    for (int i = 0; i < tile.halvings; ++i) image = halved(image, srgb_);
+    image = stretched(std::move(image), tile.size.x, tile.size.y);
+    for (int level = 0; level < levels(); ++level) {
+        const bool fills = image.width == width(level) && image.height == height(level);
+        if (fills)
+            take(level, image);
+        else
+            take(level, repeated(image, width(level), height(level)));
+        if (image.width > 1 || image.height > 1) image = halved(image, srgb_);
+    }
 }
 
-glm::vec2 Layers::tile(int layer) const {
-    const Image& image = chains_[std::size_t(layer)].front();
-    return glm::vec2(image.width, image.height) / glm::vec2(width_, height_);
-}
+glm::ivec2 paintedSize(glm::ivec2 color, glm::ivec2 mask) { return glm::max(glm::max(color, mask), 1); }
 
-Image painted(const Image& color, const Image& mask) {
-    const int width = std::max({color.width, mask.width, 1}), height = std::max({color.height, mask.height, 1});
-    Image out = color.empty() ? blank(width, height) : stretched(color, width, height);
-    const Image cover = mask.empty() ? blank(width, height) : stretched(mask, width, height);
-    for (std::size_t i = 0; i < out.rgba.size(); i += kChannels) out.rgba[i + 3] = cover.rgba[i];
+Image painted(Image color, const Image& mask) {
+    const glm::ivec2 size = paintedSize({color.width, color.height}, {mask.width, mask.height});
+    Image out = color.empty() ? white(size.x, size.y) : stretched(std::move(color), size.x, size.y);
+    const Image cover = mask.empty() ? Image() : stretched(mask, size.x, size.y);
+    for (std::size_t i = 0; i < out.rgba.size(); i += kChannels) out.rgba[i + 3] = mask.empty() ? 255 : cover.rgba[i];
     return out;
 }
 

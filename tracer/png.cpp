@@ -1,5 +1,7 @@
 #include "tracer/png.h"
 
+#include "tracer/problem.h"
+
 #include <algorithm>
 #include <array>
 
@@ -53,6 +55,27 @@ std::optional<PngHeader> pngHeader(Bytes bytes) {
     const int channels = channelsOf(bytes[25]);
     if (std::min(width, height) == 0 || std::max(width, height) > kMostSide || channels == 0) return std::nullopt;
     return PngHeader{int(width), int(height), bytes[24], channels};
+}
+
+std::string pngColors(Bytes bytes) {
+    constexpr std::uint32_t kSrgbGamma = 45455, kNearby = 1000; // of 100000, as gAMA counts: 1 / 2.2
+    std::string found;
+    if (!isPng(bytes)) return found;
+    for (std::uint64_t at = kSignature.size(); at + kBeforeChunk + 4 <= bytes.size();) {
+        const std::uint32_t length = numberAt(bytes, std::size_t(at)), name = numberAt(bytes, std::size_t(at) + 4);
+        const std::size_t data = std::size_t(at) + kBeforeChunk;
+        const bool sRgbProfile = bytes[data] == 's' && bytes[data + 1] == 'R' && bytes[data + 2] == 'G';
+        if (name == named("sRGB") || (name == named("iCCP") && sRgbProfile)) return {};
+        if (name == named("iCCP")) found = "a colour profile";
+        if (name == named("gAMA") && found.empty()) {
+            const std::uint32_t gamma = numberAt(bytes, data);
+            if (gamma + kNearby < kSrgbGamma || gamma > kSrgbGamma + kNearby)
+                found = "gamma " + toString(double(gamma) / 100000);
+        }
+        if (name == named("IDAT")) break;
+        at += kAroundChunk + length;
+    }
+    return found;
 }
 
 std::optional<std::vector<std::uint8_t>> withoutEmptyChunks(Bytes bytes) {

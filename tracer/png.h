@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace gnomon {
@@ -25,6 +26,9 @@ bool isPng(std::span<const std::uint8_t> bytes);
 /// Of the first bytes of a file; none where they are no PNG's, or its header is broken.
 inline constexpr std::size_t kPngHeaderBytes = 33;
 std::optional<PngHeader> pngHeader(std::span<const std::uint8_t> bytes);
+
+/// What the file says of its colours that is not sRGB, in words: "gamma 1" or "a colour profile"; else empty.
+std::string pngColors(std::span<const std::uint8_t> bytes);
 
 /// The file without the empty chunks that its pixels begin with, where there are any: the decoder copies them to null.
 std::optional<std::vector<std::uint8_t>> withoutEmptyChunks(std::span<const std::uint8_t> bytes);

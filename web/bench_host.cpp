@@ -2,9 +2,9 @@
 // page/compare.js.
 //
 // The order of use: benchPlan; for each of its scenes benchScene, benchImageNames and benchImage; benchBegin;
-// benchPrepare until it is finished; benchContinue; benchStart; benchRace until that is. benchResults at any time after
-// benchBegin, benchEnd at last. Text as in host.h. Steps answer 0: ask again after a moment, 1: one more is done, 2:
-// all is done.
+// benchPrepare until it is finished; benchContinue; benchStart; benchMeasure until that is. benchResults at any time
+// after benchBegin, benchEnd at last. Text as in host.h. Steps answer 0: ask again after a moment, 1: one more is done,
+// 2: all is done.
 #include "web/bench_host.h"
 
 #include "lab/bench/bench_series.h"
@@ -72,7 +72,7 @@ EMSCRIPTEN_KEEPALIVE const char* benchPlanned() {
 /// The plan's next scene as a scene file's text.
 EMSCRIPTEN_KEEPALIVE const char* benchScene(const char* text, const char* name) {
     Problems problems;
-    std::optional<Scene> scene = readScene(text, std::string(name) + ".json", problems);
+    std::optional<Scene> scene = readScene(text, std::string(name) + ".json", problems, givenFiles());
     if (scene) {
         scene->name = name;
         bench->scenes.push_back({std::move(*scene), {}});
@@ -83,9 +83,9 @@ EMSCRIPTEN_KEEPALIVE const char* benchScene(const char* text, const char* name) 
 /// Names of the images of the scene given last, one a line.
 EMSCRIPTEN_KEEPALIVE const char* benchImageNames() { return give(inLines(imagesOf(bench->scenes.back().scene))); }
 
-EMSCRIPTEN_KEEPALIVE const char* benchImage(const char* name, const std::uint8_t* bytes, int size) {
+EMSCRIPTEN_KEEPALIVE const char* benchImage(const char* name, const std::uint8_t* bytes, int size, int width) {
     Problems problems;
-    if (std::optional<Image> image = decodeImage(name, {bytes, std::size_t(size)}, problems))
+    if (std::optional<Image> image = imageFrom(name, {bytes, std::size_t(size)}, width, problems))
         bench->scenes.back().images.emplace_back(name, std::move(*image));
     return give(toString(problems));
 }
@@ -116,7 +116,7 @@ EMSCRIPTEN_KEEPALIVE const char* benchSeries() { return give(seriesText(bench->r
 EMSCRIPTEN_KEEPALIVE void benchStart(int rounds, int sessions, double seconds) {
     bench->run->begin(rounds, std::max(1, kBenchPasses / sessions), monotonicSeconds() + seconds);
 }
-EMSCRIPTEN_KEEPALIVE int benchRace() { return int(bench->run->race()); }
+EMSCRIPTEN_KEEPALIVE int benchMeasure() { return int(bench->run->measure()); }
 
 /// The row of the last step, as counted in the plan.
 EMSCRIPTEN_KEEPALIVE int benchRow() { return int(bench->run->current()); }

@@ -5,6 +5,13 @@
 
 Host host;
 
+gnomon::SceneFiles givenFiles() {
+    return [](const std::string& path, gnomon::Problems&) {
+        const auto file = host.files.find(path);
+        return file == host.files.end() ? std::nullopt : std::optional(file->second);
+    };
+}
+
 const char* give(std::string text) {
     static std::string answer;
     answer = std::move(text);
@@ -18,6 +25,12 @@ const int* hand(int width, int height, int channels, const void* values) {
     readback[2] = channels;
     readback[3] = int(reinterpret_cast<std::uintptr_t>(values));
     return readback;
+}
+
+std::optional<gnomon::Image> imageFrom(const std::string& name, std::span<const std::uint8_t> bytes, int width,
+                                       gnomon::Problems& problems) {
+    if (width <= 0) return gnomon::decodeImage(name, bytes, problems);
+    return gnomon::Image{width, int(bytes.size() / 4 / std::size_t(width)), {bytes.begin(), bytes.end()}};
 }
 
 std::vector<std::string> linesOf(std::string_view text) {

@@ -4,8 +4,8 @@
 #include "web/host.h"
 
 #include <algorithm>
-#include <list>
 #include <iterator>
+#include <list>
 
 namespace {
 

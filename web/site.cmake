@@ -57,8 +57,8 @@ execute_process(COMMAND node ${SOURCE}/web/minify.mjs ${SOURCE}/web/page ${SITE}
 if(failed)
   message(FATAL_ERROR "the page's modules cannot be minified: scripts/setup web installs terser")
 endif()
-mirror(${SOURCE}/assets/textures ${SITE}/assets/textures *.png *.jpg)
-mirror(${SOURCE}/assets/scenes ${SITE}/assets/scenes *.json)
+mirror(${SOURCE}/assets/textures ${SITE}/assets/textures *.png *.jpg *.jpeg *.hdr)
+mirror(${SOURCE}/assets/scenes ${SITE}/assets/scenes *.json *.obj)
 file(REMOVE ${SITE}/assets/scenes/scene.schema.json)
 index_scenes(${SITE}/assets/scenes)
 

@@ -1,12 +1,13 @@
 // The viewer for page/tracer.js: scene and images, settings, events, frames.
 #include "tracer/gl/gl.h"
-#include "tracer/image.h"
+#include "tracer/image_header.h"
 #include "tracer/scene/read_scene.h"
 #include "tracer/settings/settings.h"
 #include "web/host.h"
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 // clang-format off
 EM_JS(void, reportToPage, (const char* text), { Module['report'](UTF8ToString(text)); });
@@ -28,10 +29,17 @@ EMSCRIPTEN_KEEPALIVE const char* createViewer(const char* lines, const char* sou
 
 // --- scene and images ---
 
+/// Paths of the files that a scene's text names, one a line: what giveFile() is to give before the scene is taken.
+EMSCRIPTEN_KEEPALIVE const char* sceneFiles(const char* text) { return give(inLines(filesOf(text))); }
+
+EMSCRIPTEN_KEEPALIVE void giveFile(const char* path, const char* bytes, int size) {
+    host.files[path].assign(bytes, std::size_t(size));
+}
+
 /// Takes a scene file's text. With problems the old scene stays.
 EMSCRIPTEN_KEEPALIVE const char* loadScene(const char* text, const char* name) {
     Problems problems;
-    std::optional<Scene> scene = readScene(text, std::string(name) + ".json", problems);
+    std::optional<Scene> scene = readScene(text, std::string(name) + ".json", problems, givenFiles());
     if (scene) {
         scene->name = name;
         host.viewer->setScene(std::move(*scene), problems);
@@ -42,10 +50,20 @@ EMSCRIPTEN_KEEPALIVE const char* loadScene(const char* text, const char* name) {
 /// Names of the images of the scene in view, one a line.
 EMSCRIPTEN_KEEPALIVE const char* imageNames() { return give(inLines(imagesOf(host.viewer->scene()))); }
 
-EMSCRIPTEN_KEEPALIVE const char* giveImage(const char* name, const std::uint8_t* bytes, int size) {
+/// Problems of a file that the browser is to decode.
+EMSCRIPTEN_KEEPALIVE const char* measureImageFile(const char* name, const std::uint8_t* bytes, int size) {
     Problems problems;
-    if (const std::optional<Image> image = decodeImage(name, {bytes, std::size_t(size)}, problems))
-        host.viewer->setImage(name, *image);
+    measureImage(name, {bytes, std::size_t(size)}, problems);
+    return give(toString(problems));
+}
+
+/// Takes a file's bytes, or texels where there is a width.
+EMSCRIPTEN_KEEPALIVE const char* giveImage(const char* name, const std::uint8_t* bytes, int size, int width) {
+    Problems problems;
+    if (std::optional<Image> image = imageFrom(name, {bytes, std::size_t(size)}, width, problems))
+        host.viewer->setImage(name, std::move(*image));
+    if (const std::string note = width > 0 ? "" : colorNote({bytes, std::size_t(size)}); !note.empty())
+        problems.push_back({name, 0, {}, note, "convert it to sRGB"});
     return give(toString(problems));
 }
 

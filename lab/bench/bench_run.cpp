@@ -141,26 +141,26 @@ void BenchRun::continueFrom(const std::vector<BenchCost>& earlier) {
 
 void BenchRun::begin(int rounds, int passes, double deadline) {
     for (std::size_t i = 0; i < costs_.size(); ++i)
-        if (costs_[i].drawn) racers_.push_back(i);
+        if (costs_[i].drawn) order_.push_back(i);
     allRounds_ = rounds;
     allPasses_ = passes;
     deadline_ = deadline;
     round_ = -2; // the one that is not measured is -1
-    nextRacer_ = racers_.size();
+    nextInRound_ = order_.size();
 }
 
-BenchStep BenchRun::race() {
+BenchStep BenchRun::measure() {
     if (gpuFrames_ > 0) return takeGpuTime();
-    if (nextRacer_ == racers_.size() && !nextRound()) return BenchStep::Finished;
+    if (nextInRound_ == order_.size() && !nextRound()) return BenchStep::Finished;
     if (!stale_.empty()) {
         compileNext();
         return BenchStep::Working;
     }
-    if (nextRacer_ == 0) rounds_ = earlierRounds_ + round_ + 1;
+    if (nextInRound_ == 0) rounds_ = earlierRounds_ + round_ + 1;
     // Forth in even rounds and back in odd ones, so that what grows during a round favours nobody.
     const bool forth = (earlierRounds_ + round_) % 2 == 0;
-    const std::size_t entry = racers_[forth ? nextRacer_ : racers_.size() - 1 - nextRacer_];
-    ++nextRacer_;
+    const std::size_t entry = order_[forth ? nextInRound_ : order_.size() - 1 - nextInRound_];
+    ++nextInRound_;
     if (costs_[entry].drawn) sample(entry, round_ >= 0);
     return takeGpuTime();
 }
@@ -172,11 +172,11 @@ bool BenchRun::nextRound() {
     const bool anew = next > 0 && next % roundsOfPass == 0 && now + prepareSeconds_ < deadline_;
     if (anew) {
         std::swap(before_, renderers_);
-        stale_.assign(racers_.rbegin(), racers_.rend());
+        stale_.assign(order_.rbegin(), order_.rend());
     }
     passes_ += anew || next == 0;
     round_ = next;
-    nextRacer_ = 0;
+    nextInRound_ = 0;
     return true;
 }
 

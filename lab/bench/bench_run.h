@@ -62,9 +62,9 @@ class BenchRun {
     void continueFrom(const std::vector<BenchCost>& earlier);
     /// Rounds in so many passes, each of which compiles anew where the time allows. A round takes one sample of each
     /// entry: one frame, or as many as take a while. The first round is not measured. None begins after `deadline` on
-    /// the monotonic clock, but one is drawn in any case. Then a step of race() for each sample.
+    /// the monotonic clock, but one is drawn in any case. Then a step of measure() for each sample.
     void begin(int rounds, int passes, double deadline);
-    BenchStep race();
+    BenchStep measure();
 
     /// What an entry that was drawn looks like, at a size of its own.
     Image picture(std::size_t entry, glm::ivec2 size, Problems&);
@@ -113,14 +113,14 @@ class BenchRun {
     std::size_t prepared_ = 0;
     double prepareStart_ = 0, prepareSeconds_ = 0;
 
-    std::vector<std::size_t> racers_;
-    std::vector<std::size_t> stale_; ///< racers to be compiled anew, the next one last
+    std::vector<std::size_t> order_; ///< entries that are drawn, as in even rounds
+    std::vector<std::size_t> stale_; ///< of those, to be compiled anew, the next one last
     Renderers before_;               ///< kept meanwhile, so that the new programs lie elsewhere
     int allRounds_ = 0, allPasses_ = 0, round_ = 0, passes_ = 0;
     int earlierRounds_ = 0, rounds_ = 0; ///< rounds_ with the earlier ones
     double deadline_ = 0;
-    std::size_t nextRacer_ = 0; ///< in the order of the round
-    int gpuFrames_ = 0;         ///< the GPU's time of so many is awaited
+    std::size_t nextInRound_ = 0;
+    int gpuFrames_ = 0; ///< the GPU's time of so many is awaited
 };
 
 } // namespace gnomon

@@ -56,8 +56,8 @@ Image BenchmarkCase::picture(const Settings& settings, const View& view, Problem
     return image;
 }
 
-std::vector<std::vector<double>> race(std::span<const TimedCase> cases, int rounds, double (*clock)(),
-                                      LabProgress& progress) {
+std::vector<std::vector<double>> timeInRounds(std::span<const TimedCase> cases, int rounds, double (*clock)(),
+                                              LabProgress& progress) {
     std::vector<std::vector<double>> times(cases.size());
     for (int round = -1; round < rounds; ++round) { // the first one is not measured
         std::vector<double> seconds(cases.size());

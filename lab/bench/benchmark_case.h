@@ -1,5 +1,5 @@
-/// A scene drawn in one way: what a frame costs, what work it is, what the program took; and a race of several cases,
-/// interleaved, so that what disturbs the machine disturbs all alike.
+/// A scene drawn in one way: what a frame costs, what work it is, what the program took; and several cases timed
+/// in turn, so that what disturbs the machine disturbs all alike.
 #pragma once
 
 #include "lab/progress.h"
@@ -40,7 +40,7 @@ class BenchmarkCase {
     ProgramStats program_;
 };
 
-/// A case with what it draws in a race.
+/// A case with what it draws in each round.
 struct TimedCase {
     BenchmarkCase* benchmarkCase;
     View view;
@@ -50,6 +50,6 @@ struct TimedCase {
 /// Seconds of each case in each round, once an unmeasured frame has been drawn. The order alternates from round to
 /// round, so that what grows during a round favours no case. Only whole rounds: fewer, or none, where the user wants no
 /// more.
-std::vector<std::vector<double>> race(std::span<const TimedCase>, int rounds, double (*clock)(), LabProgress&);
+std::vector<std::vector<double>> timeInRounds(std::span<const TimedCase>, int rounds, double (*clock)(), LabProgress&);
 
 } // namespace gnomon

@@ -32,12 +32,15 @@ Bounds boundsOf(ShapeKind kind) {
     case ShapeKind::Sphere:
     case ShapeKind::Torus: return {0x1p-22, 1.5, 2, 2};
     case ShapeKind::Box: return {0x1p-23, 1.5, 1, 1};
+    case ShapeKind::RotatedBox: return {0x1p-22, 1.5, 2, 1};
+    case ShapeKind::Ellipsoid: return {0x1p-22, 1.5, 2, 2};
     case ShapeKind::Cylinder: return {0x1p-22, 1.5, 2, 2};
     case ShapeKind::Capsule: return {0x1p-22, 2, 2, 2};
     case ShapeKind::Cone: return {0x1p-21, 2, 2, 2};
     case ShapeKind::Disc: return {0x1p-22, 1.5, 2, 1};
     case ShapeKind::Plane: return {0x1p-22, 4, 2, 1};
-    case ShapeKind::Triangle: return {0x1p-22, 1.5, 2, 1};
+    case ShapeKind::Triangle:
+    case ShapeKind::SmoothTriangle: return {0x1p-22, 1.5, 2, 1};
     case ShapeKind::LargeSphere: // tests/shader/large_sphere_test.cpp
     case ShapeKind::Mandelbulb:  // have no intersector
     case ShapeKind::Solid: break;
@@ -55,7 +58,7 @@ Scale scaleOf(const ExactShape<double>& shape, const Line<double>& line, const E
     scale.bend = shape.bend(exact.point);
     scale.band = sizeless ? away : size;
     scale.distance = std::max({double(exact.t), 3 * size, sizeless ? away : 0});
-    if (shape.kind() == ShapeKind::Triangle) scale.distance *= size / scale.bend;
+    if (shape.triangle()) scale.distance *= size / scale.bend;
     const Vec3<long double> middle = shape.middle();
     const double written = double(std::max({std::abs(middle.x), std::abs(middle.y), std::abs(middle.z)}));
     scale.rounding = 0x1p-23 * (written + size + (sizeless ? length(p) : 0));
@@ -87,7 +90,7 @@ Verdict compareHit(const ExactShape<double>& shape, const BatchRay& ray, const B
     // surface to o + t d is where t, rounded, has it.
     double known = band + 4 * scale.rounding + bounds.ray * ulp(scale.distance);
     // A triangle's is of weights, quotients of areas as the eye sees them.
-    if (shape.kind() == ShapeKind::Triangle) known /= std::abs(dot(line.d, shape.axis()));
+    if (shape.triangle()) known /= std::abs(dot(line.d, shape.axis()));
     const bool otherPoint = strays(shape, line, exact.s, p, known);
     verdict.elsewhere = verdict.decided && (otherSheet || otherPoint);
     verdict.t = std::abs(double(Wide<double>(answer.t) - exact.t)) / ulp(scale.distance);

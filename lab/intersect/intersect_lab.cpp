@@ -182,8 +182,8 @@ Table intersectTable(const std::vector<IntersectRow>& rows) {
     spread("normal", "normal", "2^-23", "Error of the normal, as the turn of so many roundings of the point");
     table.columns.insert(
         table.columns.end(),
-        {{"share", "wrong decisions", "%", "Missed and false hits, of the decided", Kind::Error},
-         {"textbook_share", "textbook: wrong decisions", "%", "As wrong decisions", Kind::Error},
+        {{"wrong_decisions", "wrong decisions", "%", "Missed and false hits, of the decided", Kind::Error},
+         {"textbook_wrong_decisions", "textbook: wrong decisions", "%", "As wrong decisions", Kind::Error},
          {"textbook_elsewhere", "textbook: elsewhere", "", "As elsewhere: farther off than 4 ulp, or another sheet",
           Kind::Count, Better::Lower},
          {"textbook_ray_most", "textbook: o + t d, 99.9 %", "ulp", "As o + t d", Kind::Error},
@@ -232,7 +232,8 @@ std::vector<Chart> intersectCharts() {
     };
     Chart cost = chart("Time beside the textbook's", "uniform", "cost", false);
     cost.y.pop_back();
-    return {chart("Wrong decisions", "uniform", "share", false), chart("Wrong decisions", "grazing", "share", false),
+    return {chart("Wrong decisions", "uniform", "wrong_decisions", false),
+            chart("Wrong decisions", "grazing", "wrong_decisions", false),
             chart("How far o + t d is from the surface, 99.9 %", "uniform", "ray_most", true),
             chart("How far the surface point is from the surface, 99.9 %", "uniform", "point_most", true), cost};
 }

@@ -1,5 +1,7 @@
 #include "lab/intersect/subjects.h"
 
+#include "tracer/scene/rotation.h"
+
 #include <algorithm>
 #include <cmath>
 #include <ostream>
@@ -13,18 +15,22 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kThin = 0x1p-7;
 
 /// A fixed turn about a skew axis: no component of a turned axis is 0.
-glm::dvec3 turned(glm::dvec3 v) {
+const glm::dmat3& skewTurn() {
     static const glm::dmat3 turn = [] {
         const glm::dvec3 a = glm::normalize(glm::dvec3(0.48, 0.6, 0.34)),
                          b = glm::normalize(glm::cross(a, {0.2, -0.5, 0.9}));
         return glm::dmat3(b, glm::cross(a, b), a);
     }();
-    return turn * v;
+    return turn;
 }
+glm::dvec3 turned(glm::dvec3 v) { return skewTurn() * v; }
 
 Shape turned(Shape shape) {
     if (shape.kind == ShapeKind::Box) return shape; // its faces lie across the world's axes
     for (const ShapeField& field : shapeRow(shape.kind).fields) {
+        if (field.type == FieldType::Rotation)
+            setPoint(shape, field.key, rodriguesOf(glm::quat_cast(skewTurn() * axesOf(pointOf(shape, field.key)))));
+        if (field.type == FieldType::Rotation || field.type == FieldType::Lengths) continue;
         double* vector = &shape.values[std::size_t(field.at)];
         for (int i = 0; i < vectorCount(field.type); ++i, vector += 3) {
             const glm::dvec3 after = turned(glm::dvec3(vector[0], vector[1], vector[2]));
@@ -57,6 +63,11 @@ const std::vector<Subject>& subjects() {
         {"torus", "fat", makeShape(Torus, {{0, 0, 0}, {0, 0, 1}}, {1, 0.875})},
         {"box", "thin", makeShape(Box, {{0, 0, 0}, {1, 0.75, kThin}})},
         {"box", "fat", makeShape(Box, {{0, 0, 0}, {1, 0.75, 0.625}})},
+        {"rotated_box", "thin", makeShape(RotatedBox, {{0, 0, 0}, {1, 0.75, kThin}, {0, 0, 0}})},
+        {"rotated_box", "fat", makeShape(RotatedBox, {{0, 0, 0}, {1, 0.75, 0.625}, {0, 0, 0}})},
+        {"ellipsoid", "thin", makeShape(Ellipsoid, {{0, 0, 0}, {1, 0.75, kThin}, {0, 0, 0}})},
+        {"ellipsoid", "fat", makeShape(Ellipsoid, {{0, 0, 0}, {1, 0.75, 0.625}, {0, 0, 0}})},
+        {"ellipsoid", "needle", makeShape(Ellipsoid, {{0, 0, 0}, {kThin, 2 * kThin, 1}, {0, 0, 0}})},
         {"cylinder", "thin", makeShape(Cylinder, {{0, 0, -1}, {0, 0, 1}}, {kThin})},
         {"cylinder", "fat", makeShape(Cylinder, {{0, 0, -0.25}, {0, 0, 0.25}}, {1})},
         {"capsule", "thin", makeShape(Capsule, {{0, 0, -1}, {0, 0, 1}}, {kThin})},
@@ -192,7 +203,7 @@ RayStream::Spot RayStream::surface() {
         const Vec outward = acrossTo(shape_.axis());
         return {size * outward, outward};
     }
-    if (shape_.kind() == ShapeKind::Triangle) {
+    if (shape_.triangle()) {
         const int i = int(number(0, 3));
         const Vec a = shape_.vertex(i), b = shape_.vertex((i + 1) % 3);
         return {a + number(0, 1) * (b - a), unit(cross(b - a, shape_.axis()))};

@@ -31,7 +31,9 @@ Present presentOf(const Table& table, const std::string& key) {
     if (key == "way") return {key, key, kWays};
     const bool intersect = table.name == "summary" || table.name == "intersect"; // of `gnomon lab intersect`
     if (intersect && key == "body") return {"shape", "shape", {}};
-    if (intersect && key.starts_with("naive_")) return {"textbook_" + key.substr(6), key, {}};
+    if (intersect && key.starts_with("naive_")) return presentOf(table, "textbook_" + key.substr(6));
+    if (intersect && key == "share") return {"wrong_decisions", key, {}};
+    if (intersect && key == "textbook_share") return {"textbook_wrong_decisions", key, {}};
     constexpr std::string_view kYards = "frame_yards"; // and its quartiles, of `gnomon bench`
     if (key.starts_with(kYards)) return {"frame_calibrated" + key.substr(kYards.size()), key, {}};
     const SettingRow* setting = table.name == "bench" ? findSetting(key) : nullptr;

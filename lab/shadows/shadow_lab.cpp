@@ -72,7 +72,8 @@ void markFront(ShadowCosts& costs) {
         });
 }
 
-/// What is read back of each way, beside the reference.
+/// What is read back of each way, beside the reference. False where that ended early: ways that were not read are left
+/// out.
 bool readBack(SceneCases& cases, const ShadowPlan& plan, ShadowCosts& costs, LabProgress& progress,
               Problems& problems) {
     const ShadowWay off{ShadowModel::Off}, exact{ShadowModel::Montecarlo, ConeOrigin::Surface, 0.1, plan.reference};
@@ -82,8 +83,12 @@ bool readBack(SceneCases& cases, const ShadowPlan& plan, ShadowCosts& costs, Lab
     if (!problems.empty()) return false;
     costs.reference = cases.pictureOf(picture);
     const double bare = meanOf(cases.output(off, costs.radius, Aov::Steps), 0);
-    if (!progress.step()) return false;
-    for (ShadowCost& cost : costs.ways) {
+    if (!progress.step()) {
+        costs.ways.clear();
+        return false;
+    }
+    for (auto next = costs.ways.begin(); next != costs.ways.end();) {
+        ShadowCost& cost = *next++;
         const auto output = [&](Aov aov) { return cases.output(cost.way, costs.radius, aov); };
         cost.visibility = errorsOf(differences(output(Aov::Visibility), fractions, objects));
         const FloatImage colors = output(Aov::Color);
@@ -91,7 +96,10 @@ bool readBack(SceneCases& cases, const ShadowPlan& plan, ShadowCosts& costs, Lab
         cost.image = cases.pictureOf(colors);
         cost.evaluations = meanOf(output(Aov::Steps), 0) - bare;
         if (shadowRow(cost.way.model).rays) cost.shadowRays = meanOf(output(Aov::Work), 2);
-        if (!problems.empty() || !progress.step()) return false;
+        if (!problems.empty()) return false;
+        if (progress.step()) continue;
+        costs.ways.erase(next, costs.ways.end());
+        return false;
     }
     return true;
 }
@@ -106,7 +114,7 @@ bool raceAll(SceneCases& cases, const ShadowPlan& plan, ShadowCosts& costs, doub
     }
     if (!problems.empty()) return false;
     for (std::size_t i = 0; i < timed.size(); ++i) timed[i].settings = &settings[i];
-    const auto times = race(timed, plan.rounds, clock, progress);
+    const auto times = timeInRounds(timed, plan.rounds, clock, progress);
     costs.bare = times[0];
     for (std::size_t i = 0; i < costs.ways.size(); ++i) costs.ways[i].seconds = times[i + 1];
     return true;
@@ -127,7 +135,7 @@ Settings settingsFor(const ShadowPlan& plan, const ShadowWay& way, std::optional
     return settings;
 }
 
-bool marchesCones(ShadowModel model) { return model >= ShadowModel::ConeBase && model <= ShadowModel::ConeConvex; }
+bool marchesCones(ShadowModel model) { return shadowRow(model).cones; }
 bool takesSamples(ShadowModel model) { return shadowRow(model).batch > 0; }
 
 Errors errorsOf(std::vector<double> differences) {
@@ -186,11 +194,12 @@ std::vector<ShadowCosts> measureShadows(const Loaded& loaded, const ShadowPlan& 
     for (const double radius : radii) {
         ShadowCosts costs{loaded.scene.name, radius, {}, {}, {}};
         for (const ShadowWay& way : waysOf(plan)) costs.ways.push_back({way, {}, 0, {}, {}, {}, false, {}});
-        if (!readBack(cases, plan, costs, progress, problems)) break;
-        if (!raceAll(cases, plan, costs, clock, progress, problems)) break;
-        if (costs.bare.empty()) break;
-        markFront(costs);
-        all.push_back(std::move(costs));
+        const bool timed = readBack(cases, plan, costs, progress, problems) &&
+                           raceAll(cases, plan, costs, clock, progress, problems) && !costs.bare.empty();
+        if (!problems.empty() || costs.ways.empty()) break;
+        if (timed) markFront(costs);
+        all.push_back(std::move(costs)); // what was read back is kept, also without times
+        if (!timed) break;
     }
     return all;
 }

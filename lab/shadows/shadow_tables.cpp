@@ -47,12 +47,16 @@ std::vector<Cell> rowOf(const ShadowCosts& costs, const ShadowCost& cost) {
     const Quartiles ratio = ratioOf(cost.seconds, costs.bare);
     std::vector<Cell> row = keysOf(costs, cost.way);
     const Quartiles frame = quartilesOf(cost.seconds);
-    row.insert(row.end(), {1e3 * frame.median, 1e3 * frame.low, 1e3 * frame.high, ratio.median, ratio.low, ratio.high,
-                           double(cost.seconds.size()), cost.evaluations, Cell{}});
+    if (cost.seconds.empty())
+        row.resize(row.size() + 6); // interrupted before the first round
+    else
+        row.insert(row.end(),
+                   {1e3 * frame.median, 1e3 * frame.low, 1e3 * frame.high, ratio.median, ratio.low, ratio.high});
+    row.insert(row.end(), {double(cost.seconds.size()), cost.evaluations, Cell{}});
     if (cost.shadowRays) row.back() = *cost.shadowRays;
     const Errors& fraction = cost.visibility;
     row.insert(row.end(), {fraction.rmse, fraction.mean, fraction.most999, fraction.most, cost.picture.rmse});
-    row.emplace_back(cost.front ? "yes" : "no");
+    row.push_back(cost.seconds.empty() ? Cell{} : Cell{std::string(cost.front ? "yes" : "no")});
     return row;
 }
 
@@ -127,7 +131,7 @@ Table variantTable(const std::vector<ShadowCosts>& all) {
                 for (const ShadowModel model : kVariants) {
                     const ShadowCost* cost = find(costs, {model, coneOrigin, epsilon});
                     row.emplace_back();
-                    if (cost) row.back() = ratioOf(cost->seconds, costs.bare).median;
+                    if (cost && !cost->seconds.empty()) row.back() = ratioOf(cost->seconds, costs.bare).median;
                     any |= cost != nullptr;
                 }
                 if (any) table.rows.push_back(std::move(row));
@@ -148,7 +152,7 @@ Table rivalTable(const std::vector<ShadowCosts>& all) {
                      {"front", "front", "", "No other way is both faster and nearer to the reference"}};
     for (const ShadowCosts& costs : all) {
         const ShadowCost* linear = find(costs, {ShadowModel::ConeLinear, ConeOrigin::Surface, kLinearEpsilon});
-        if (!linear) continue;
+        if (!linear || linear->seconds.empty()) continue;
         const auto add = [&](const ShadowCost* cost) {
             if (!cost) return;
             std::vector<Cell> row{costs.scene, costs.radius, nameOf(cost->way)};

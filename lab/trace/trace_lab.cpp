@@ -166,6 +166,14 @@ std::optional<TraceLab::Prepared> TraceLab::prepare(const Scene& scene, const Na
 }
 
 std::vector<ViewCosts> TraceLab::measure(const Loaded& loaded, LabProgress& progress, Problems& problems) const {
+    if (const std::string beyond = beyondSource(loaded.scene); !beyond.empty()) {
+        problems.push_back({loaded.scene.file,
+                            0,
+                            {},
+                            "the source's way of tracing knows no " + beyond,
+                            "measure a scene without them"});
+        return {};
+    }
     const std::vector<NamedView> named = viewsOf(loaded.scene, settings_.size);
     std::vector<View> views;
     for (const NamedView& view : named) views.push_back(view.view);
@@ -182,7 +190,7 @@ std::vector<ViewCosts> TraceLab::measure(const Loaded& loaded, LabProgress& prog
     for (std::size_t i = 0; i < views.size() && !LabProgress::interrupted(); ++i) {
         std::vector<TimedCase> timed;
         for (const Prepared& one : all) timed.push_back({one.benchmarkCase.get(), views[i]});
-        const auto times = race(timed, rounds_, clock_, progress);
+        const auto times = timeInRounds(timed, rounds_, clock_, progress);
         if (times[0].empty()) break;
         costs.push_back({named[i].name, {}});
         for (std::size_t k = 0; k < all.size(); ++k) {
@@ -211,7 +219,7 @@ std::vector<GrowthCosts> TraceLab::measure(Arrangement arrangement, const std::v
             if (!progress.step()) return {};
         }
     }
-    const auto times = race(timed, rounds_, clock_, progress);
+    const auto times = timeInRounds(timed, rounds_, clock_, progress);
     if (times[0].empty()) return {};
     std::size_t next = 0;
     for (GrowthCosts& spheres : growth)

@@ -113,7 +113,7 @@ ContextCosts measure(const BenchOptions& options, const BenchPlan& plan, const s
     if (const std::size_t drawn = lab.drawn(); drawn > 0 && !LabProgress::interrupted()) {
         LabProgress progress(drawn * std::size_t(options.rounds() + 1), name + ": drawn", deadline);
         lab.begin(options.rounds(), kBenchPasses, deadline);
-        stepThrough(progress, [&] { return lab.race(); });
+        stepThrough(progress, [&] { return lab.measure(); });
     }
     if (options.files.writes()) pictures.draw(lab, problems);
     costs.costs = lab.costs();

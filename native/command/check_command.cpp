@@ -17,6 +17,7 @@ int check(const std::string& name) {
     Problems problems;
     const auto loaded = load(name, problems);
     if (!loaded) return fail(kInputWrong, problems);
+    note(loaded->notes);
     const Scene& scene = loaded->scene;
     std::printf("%s: right (%s, %s, %s, %s)\n", printable(scene.name).c_str(),
                 counted(scene.objects.size(), "object").c_str(), counted(scene.lights.size(), "light").c_str(),

@@ -1,7 +1,6 @@
 /// gnomon: the desktop program.
 #include "lab/interruption.h"
 #include "native/command/commands.h"
-#include "native/crash.h"
 
 #include <algorithm>
 #include <csignal>
@@ -92,7 +91,6 @@ int parseAndRun(CLI::App& app, std::vector<std::string> words, const Task& task)
 } // namespace
 
 int main(int argc, char** argv) {
-    tellCrashes();
     holdStandardStreams();
     endWhenInterrupted(kInterrupted);
     std::signal(SIGXFSZ, SIG_IGN); // a file that may grow no more is told as a full disk is

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstdio>
 #include <memory>
+#include <utility>
 
 namespace gnomon {
 
@@ -20,11 +21,12 @@ struct RenderOptions {
 };
 
 /// Draws with a renderer of the current context and writes the file: a picture as a window shows it, or the numbers.
-ExitCode draw(const Loaded& loaded, const Settings& settings, const CameraPose& pose, const std::string& file,
+ExitCode draw(Loaded& loaded, const Settings& settings, const CameraPose& pose, const std::string& file,
               ImageFormat format, Problems& problems) {
     Renderer renderer;
     if (!renderer.setScene(loaded.scene, problems)) return kInputWrong;
-    for (const auto& [name, image] : loaded.images) renderer.setImage(name, image);
+    renderer.useImagesOnce();
+    for (auto& [name, image] : loaded.images) renderer.setImage(name, std::move(image));
     renderer.configure(settings);
     const View view{pose, settings.time, settings.size.x, settings.size.y};
     if (!renderer.finish(problems)) return kNoGl;
@@ -38,6 +40,8 @@ ExitCode draw(const Loaded& loaded, const Settings& settings, const CameraPose& 
         if (!problems.empty()) return kNoGl;
         written = writeImage(file, format, values, problems);
     }
+    if (const std::string cut = renderer.depthCut(view); written && !cut.empty())
+        std::fprintf(stderr, "gnomon: note: %s\n", cut.c_str());
     return written ? kDone : kInputWrong;
 }
 
@@ -50,8 +54,9 @@ int render(const RenderOptions& options) {
     const auto format = checkImageFile(options.file, options.format, settings.value_or(Settings{}).aov, problems);
     if (!problems.empty()) return fail(kCommandLineWrong, problems);
 
-    const auto loaded = load(options.drawing.scene, problems);
+    auto loaded = load(options.drawing.scene, problems);
     if (!loaded) return fail(kInputWrong, problems);
+    note(loaded->notes);
     const auto pose = poseOf(loaded->scene, *settings, problems);
     if (!pose) return fail(kCommandLineWrong, problems);
 

@@ -1,15 +1,17 @@
 #include "native/file/asset_folder.h"
 
 #include "native/file/input_file.h"
-#include "tracer/png.h"
+#include "tracer/image_header.h"
 #include "tracer/scene/json_document.h"
 #include "tracer/scene/read_scene.h"
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cstdlib>
 #include <fstream>
 #include <span>
+#include <string_view>
 
 namespace gnomon {
 
@@ -32,10 +34,23 @@ bool isFolder(const fs::path& path) {
 
 /// Memory that an image file's pixels take, as it says itself; 0 of a file that says nothing.
 std::uint64_t decodedBytes(const fs::path& file) {
-    std::array<char, kPngHeaderBytes> bytes{};
-    std::ifstream(file, std::ios::binary).read(bytes.data(), bytes.size());
-    const auto header = pngHeader({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    std::vector<std::uint8_t> bytes(kHeaderBytes);
+    std::ifstream in(file, std::ios::binary);
+    in.read(reinterpret_cast<char*>(bytes.data()), std::streamsize(bytes.size()));
+    const auto header = imageHeader(std::span(bytes).first(std::size_t(in.gcount())));
     return header ? header->pixels() * 4 : 0;
+}
+
+/// Files that an image's name may mean, the first that exists is taken: docs/scenes.md tells the rule, and
+/// web/page/load.js has it too.
+std::vector<std::string> filesNamed(const std::string& name) {
+    constexpr std::array<std::string_view, 4> kEndings{".png", ".jpg", ".jpeg", ".hdr"};
+    std::string ending = fs::path(name).extension().string();
+    for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
+    if (std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end()) return {name};
+    std::vector<std::string> files;
+    for (const char* added : {".png", ".PNG", ".jpg", ".JPG", ".jpeg", ".JPEG"}) files.push_back(name + added);
+    return files;
 }
 
 /// Is `text` a path rather than a scene's name?
@@ -106,26 +121,32 @@ std::optional<Scene> AssetFolder::readScene(const std::string& nameOrFile, Probl
     const auto file = fileOf(nameOrFile, problems);
     if (!file) return std::nullopt;
     const auto text = readInput(file->string(), kMaxJsonBytes, "use a smaller scene", problems);
-    return text ? gnomon::readScene(*text, inputName(file->string()), problems) : std::nullopt;
+    if (!text) return std::nullopt;
+    const fs::path folder = isFile(*file) ? file->parent_path() : fs::path();
+    const auto beside = [&](const std::string& path, Problems& missing) {
+        return readInput((folder / path).string(), kMaxSceneFileBytes, "use a smaller file", missing);
+    };
+    return gnomon::readScene(*text, inputName(file->string()), problems, beside);
 }
 
 std::optional<fs::path> AssetFolder::imageFileOf(const Scene& scene, const std::string& name,
                                                  Problems& problems) const {
     // Beside the scene; one that came through a pipe stands in the folder that the program was started in.
     const fs::path folder = isFile(scene.file) ? fs::path(scene.file).parent_path() : fs::path();
-    for (const auto& place : {folder / name, root_ / "textures" / name})
-        for (const char* ending : {".png", ".PNG"})
-            if (const fs::path file = place.string() + ending; isFile(file)) return file;
-    problems.push_back(
-        {scene.file,
-         0,
-         {},
-         "image '" + name + "' is missing",
-         "put it at " + (folder / name).string() + ".png or " + (root_ / "textures" / name).string() + ".png"});
+    const std::vector<std::string> files = filesNamed(name);
+    for (const fs::path& place : {folder, root_ / "textures"})
+        for (const std::string& file : files)
+            if (isFile(place / file)) return place / file;
+    problems.push_back({scene.file,
+                        0,
+                        {},
+                        "image '" + name + "' is missing",
+                        "put it at " + (folder / files[0]).string() + " or " +
+                            (root_ / "textures" / files[0]).string() + (files.size() > 1 ? ", or as .jpg" : "")});
     return std::nullopt;
 }
 
-std::optional<NamedImages> AssetFolder::readImages(const Scene& scene, Problems& problems) const {
+std::optional<NamedImages> AssetFolder::readImages(const Scene& scene, Problems& problems, Problems* notes) const {
     const std::size_t before = problems.size();
     std::vector<std::pair<std::string, fs::path>> files;
     std::uint64_t decoded = 0;
@@ -134,19 +155,28 @@ std::optional<NamedImages> AssetFolder::readImages(const Scene& scene, Problems&
             files.emplace_back(name, *file);
             decoded += decodedBytes(*file);
         }
-    if (decoded > kMostDecodedBytes)
+    const auto tooMuch = [&](std::uint64_t bytes) {
+        if (bytes <= kMostDecodedBytes) return false;
         problems.push_back({scene.file,
                             0,
                             {},
-                            "its images take " + std::to_string(decoded >> 20) + " MB; 512 MB are the most",
+                            "its images take " + std::to_string(bytes >> 20) + " MB; 512 MB are the most",
                             "use fewer or smaller images"});
+        return true;
+    };
+    if (tooMuch(decoded)) return std::nullopt;
     NamedImages images;
+    std::uint64_t held = 0; // what files say of themselves may stand behind where it was looked for
     for (const auto& [name, file] : files) {
-        if (decoded > kMostDecodedBytes) break;
         const auto bytes = readInput(file.string(), kMostFileBytes, "use a smaller image", problems);
         if (!bytes) continue;
         const std::span span(reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size());
-        if (auto image = decodeImage(file.string(), span, problems)) images.emplace_back(name, std::move(*image));
+        auto image = decodeImage(file.string(), span, problems);
+        if (!image) continue;
+        if (tooMuch(held += image->rgba.size())) return std::nullopt;
+        images.emplace_back(name, std::move(*image));
+        const std::string note = colorNote(span);
+        if (notes && !note.empty()) notes->push_back({file.string(), 0, {}, note, "convert it to sRGB"});
     }
     return problems.size() == before ? std::optional(std::move(images)) : std::nullopt;
 }
@@ -156,9 +186,10 @@ std::optional<Loaded> load(const std::string& nameOrFile, Problems& problems) {
     if (!assets) return std::nullopt;
     auto scene = assets->readScene(nameOrFile, problems);
     if (!scene) return std::nullopt;
-    auto images = assets->readImages(*scene, problems);
+    Problems notes;
+    auto images = assets->readImages(*scene, problems, &notes);
     if (!images) return std::nullopt;
-    return Loaded{*assets, std::move(*scene), std::move(*images)};
+    return Loaded{*assets, std::move(*scene), std::move(*images), std::move(notes)};
 }
 
 } // namespace gnomon

@@ -27,8 +27,8 @@ class AssetFolder {
     /// The scene called `nameOrFile`, else the file of that path, checked.
     std::optional<Scene> readScene(const std::string& nameOrFile, Problems&) const;
     /// Every image the scene needs. With a problem for each that is missing or broken, and then nothing; more than
-    /// 512 MB together are refused before one is decoded.
-    std::optional<NamedImages> readImages(const Scene&, Problems&) const;
+    /// 512 MB together are refused before one is decoded. Notes tell what files say that is not followed.
+    std::optional<NamedImages> readImages(const Scene&, Problems&, Problems* notes = nullptr) const;
 
   private:
     std::optional<std::filesystem::path> fileOf(const std::string& nameOrFile, Problems&) const;
@@ -42,6 +42,7 @@ struct Loaded {
     AssetFolder assets;
     Scene scene;
     NamedImages images;
+    Problems notes; ///< what is to be told, and hinders nothing
 };
 /// As AssetFolder::find, readScene and readImages have it.
 std::optional<Loaded> load(const std::string& nameOrFile, Problems&);

@@ -87,10 +87,10 @@ fs::path folderOf(const fs::path& file) { return file.has_parent_path() ? file.p
 /// A new file beside the one that it will replace, with a name that is short whatever the other is called.
 std::pair<fs::path, int> makeDraft(const fs::path& file) {
     for (int i = 0; i < 100; ++i) {
-        const fs::path draft =
-            folderOf(file) / (".gnomon-" + std::to_string(getpid()) + "-" + std::to_string(i) + ".part");
+        fs::path draft = folderOf(file) / (".gnomon-" + std::to_string(getpid()) + "-" + std::to_string(i) + ".part");
         const int descriptor = open(draft.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (descriptor >= 0 || errno != EEXIST) return {draft, descriptor};
+        // Moved: a copy takes memory, and where there is none the draft would stay.
+        if (descriptor >= 0 || errno != EEXIST) return {std::move(draft), descriptor};
     }
     return {{}, -1};
 }

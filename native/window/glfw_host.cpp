@@ -10,15 +10,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
 
 namespace gnomon {
 
 namespace {
 
+/// By what stands on the cap; moving keys by position, so that they lie alike on every layout, and nowhere else.
+/// web/page/keyboard.js has the same rule.
+std::string letterName(int key, int scancode) {
+    constexpr std::string_view kMoves = "WASD";
+    const std::string byPosition(1, char(key));
+    if (kMoves.find(byPosition) != kMoves.npos) return byPosition;
+    const char* cap = glfwGetKeyName(key, scancode);
+    if (!cap || cap[1] != 0 || cap[0] < 'a' || cap[0] > 'z') return byPosition; // a layout without Latin letters
+    const std::string byCap(1, char(cap[0] - 'a' + 'A'));
+    return kMoves.find(byCap) == kMoves.npos ? byCap : std::string();
+}
+
 /// The name the settings table and the viewer know a key by; empty for others.
-std::string keyName(int key) {
-    if ((key >= GLFW_KEY_A && key <= GLFW_KEY_Z) || (key >= GLFW_KEY_0 && key <= GLFW_KEY_9))
-        return std::string(1, char(key));
+std::string keyName(int key, int scancode) {
+    if (key >= GLFW_KEY_A && key <= GLFW_KEY_Z) return letterName(key, scancode);
+    if (key >= GLFW_KEY_0 && key <= GLFW_KEY_9) return std::string(1, char(key));
     switch (key) {
     case GLFW_KEY_LEFT: return "Left";
     case GLFW_KEY_RIGHT: return "Right";
@@ -34,8 +48,9 @@ class GlfwHost {
   public:
     GlfwHost(GLFWwindow* window, Session& session) : window_(window), session_(session) {
         glfwSetWindowUserPointer(window, this);
-        glfwSetKeyCallback(window,
-                           [](GLFWwindow* w, int key, int, int action, int mods) { of(w).key(key, action, mods); });
+        glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
+            of(w).key(key, scancode, action, mods);
+        });
         glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int) {
             if (button == GLFW_MOUSE_BUTTON_LEFT) of(w).press(action == GLFW_PRESS);
         });
@@ -95,8 +110,8 @@ class GlfwHost {
                           std::max(1, size.y * height / std::max(1, pixelsY)));
     }
 
-    void key(int key, int action, int mods) {
-        if (action == GLFW_RELEASE) return session_.viewer().keyUp(keyName(key));
+    void key(int key, int scancode, int action, int mods) {
+        if (action == GLFW_RELEASE) return session_.viewer().keyUp(keyName(key, scancode));
         if (action != GLFW_PRESS || panel_->wantsKeys()) return;
         switch (key) {
         case GLFW_KEY_ESCAPE: return glfwSetWindowShouldClose(window_, GLFW_TRUE);
@@ -105,7 +120,7 @@ class GlfwHost {
         case GLFW_KEY_F12: return session_.takeScreenshot();
         default: break;
         }
-        const std::string name = keyName(key);
+        const std::string name = keyName(key, scancode);
         if (!name.empty() && !(mods & (GLFW_MOD_CONTROL | GLFW_MOD_ALT | GLFW_MOD_SUPER)))
             session_.viewer().keyDown(name);
     }

@@ -10,15 +10,30 @@
 #include <cmath>
 #include <cstdlib>
 #include <memory>
+#include <string>
+#include <string_view>
 
 namespace gnomon {
 
 namespace {
 
-std::string keyName(SDL_Keycode key) {
-    if (key >= SDLK_a && key <= SDLK_z) return std::string(1, char('A' + (key - SDLK_a)));
-    if (key >= SDLK_0 && key <= SDLK_9) return std::string(1, char(key));
-    switch (key) {
+/// Moving keys and digits by position, so that they lie alike on every layout; other letters by what stands on the cap.
+/// web/page/keyboard.js has the same rule.
+std::string keyName(const SDL_Keysym& key) {
+    constexpr std::string_view kMoves = "WASD";
+    const auto letter = [](int index) { return std::string(1, char('A' + index)); };
+    const bool isLetter = key.scancode >= SDL_SCANCODE_A && key.scancode <= SDL_SCANCODE_Z;
+    const std::string byPosition = isLetter ? letter(key.scancode - SDL_SCANCODE_A) : std::string();
+    if (isLetter && kMoves.find(byPosition) != kMoves.npos) return byPosition;
+    if (key.sym >= SDLK_a && key.sym <= SDLK_z) {
+        const std::string byCap = letter(key.sym - SDLK_a);
+        return kMoves.find(byCap) == kMoves.npos ? byCap : std::string();
+    }
+    if (isLetter) return byPosition; // a layout without Latin letters
+    if (key.scancode == SDL_SCANCODE_0) return "0";
+    if (key.scancode >= SDL_SCANCODE_1 && key.scancode <= SDL_SCANCODE_9)
+        return std::string(1, char('1' + (key.scancode - SDL_SCANCODE_1)));
+    switch (key.sym) {
     case SDLK_LEFT: return "Left";
     case SDLK_RIGHT: return "Right";
     case SDLK_UP: return "Up";
@@ -103,7 +118,7 @@ class SdlHost {
         case SDL_KEYDOWN:
             if (!event.key.repeat) keyDown(event.key.keysym);
             break;
-        case SDL_KEYUP: viewer.keyUp(keyName(event.key.keysym.sym)); break;
+        case SDL_KEYUP: viewer.keyUp(keyName(event.key.keysym)); break;
         case SDL_MOUSEMOTION:
             if (event.motion.state & SDL_BUTTON_LMASK) viewer.drag(event.motion.xrel, event.motion.yrel, height());
             break;
@@ -126,7 +141,7 @@ class SdlHost {
         case SDLK_F12: return session_.takeScreenshot();
         default: break;
         }
-        const std::string name = keyName(key.sym);
+        const std::string name = keyName(key);
         if (!name.empty() && !(key.mod & (KMOD_CTRL | KMOD_ALT | KMOD_GUI))) session_.viewer().keyDown(name);
     }
 

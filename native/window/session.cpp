@@ -33,7 +33,8 @@ Session::Session(const Settings& settings) : viewer_(settings, [this](const std:
 
 bool Session::start(Loaded loaded, Problems& problems) {
     if (!viewer_.setScene(std::move(loaded.scene), problems)) return false;
-    for (const auto& [name, image] : loaded.images) viewer_.setImage(name, image);
+    for (auto& [name, image] : loaded.images) viewer_.setImage(name, std::move(image));
+    note(loaded.notes);
     assets_ = std::move(loaded.assets);
     return true;
 }

@@ -1,6 +1,8 @@
 // Sky: the stars to magnitude 7.2 where a catalogue has them, and the Milky Way within its observed outlines.
 //
-// makeSky(report) -> {'sky-px.png' … 'sky-nz.png'}: six faces by OpenGL's rules for cube maps, row 0 at t = 0
+// makeSky(report) -> {'sky-px.png' … 'sky-nz.png'}: six faces as standard cube maps have them. Their axes are
+//                        left-handed and the scene's are not, so that one is mirrored (docs/scenes.md): the file sky-px
+//                        shows what lies towards -x
 // skyDirection(ra, dec)  the world direction of a place of the sky (degrees): +y is the celestial north pole, +x the
 //                        point of spring, right-handed; right ascension grows to the left as seen from inside with
 //                        north up
@@ -23,7 +25,8 @@ export function skyDirection(ra, dec) {
   return [Math.cos(d) * Math.cos(a), Math.sin(d), -Math.cos(d) * Math.sin(a)];
 }
 
-// The inverse of GL's table: the direction seen at (sc, tc) of a face at distance 1; and (sc, tc, ma) of a direction.
+// Faces as the GPU gets them, by world axis: the inverse of GL's table, the direction seen at (sc, tc) of a face at
+// distance 1; and (sc, tc, ma) of a direction.
 const faces = {
   px: { at: (s, t) => [1, -t, -s], project: ([x, y, z]) => [-z, -y, x] },
   nx: { at: (s, t) => [-1, -t, s], project: ([x, y, z]) => [z, -y, -x] },
@@ -32,6 +35,9 @@ const faces = {
   pz: { at: (s, t) => [s, -t, 1], project: ([x, y, z]) => [x, -y, z] },
   nz: { at: (s, t) => [-s, -t, -1], project: ([x, y, z]) => [-x, -y, -z] },
 };
+
+// Seen from within they are mirrored: each is written the other way round, under the name that it has with x mirrored.
+const nameInFile = { px: 'nx', nx: 'px', py: 'py', ny: 'ny', pz: 'pz', nz: 'nz' };
 
 // Equatorial J2000 to galactic axes: rows point to the centre, to longitude 90 and to the north pole of the galaxy.
 const galactic = [
@@ -210,13 +216,14 @@ export function makeSky(report = () => {}) {
         // One random offset for the three components: it breaks up bands as well as three would, and packs smaller.
         const dither = hash(faceNumber, x, y, 3);
         const light = shouldered([0, 1, 2].map((c) => glow[at + c] + points[at + c]));
+        const mirrored = at + (size - 1 - 2 * x) * 3;
         for (let c = 0; c < 3; ++c) {
-          data[at + c] =
+          data[mirrored + c] =
             lit ? Math.min(255, Math.floor(toStored(backgroundLight[c] + light[c]) + dither)) : background[c];
         }
       }
     }
-    pictures[`sky-${name}.png`] = { width: size, height: size, channels: 3, data };
+    pictures[`sky-${nameInFile[name]}.png`] = { width: size, height: size, channels: 3, data };
   });
   return pictures;
 }

@@ -24,6 +24,9 @@ struct StackEntry {
 };
 const int kRayStack = 3;
 StackEntry stack[kRayStack];
+#if MEDIA
+uvec2 media[kRayStack]; // that the entries' rays are inside of: 16 bits each
+#endif
 
 // The way through the tree, in one register: of a surface at depth d bit d says that its refracted ray is still to
 // come, bit 8 + d that this ray, not the reflected one, is on the way. From bit 16 on the depth of the surface whose
@@ -53,6 +56,9 @@ void pushRay(inout uint trail, Ray ray, Path path) {
     int tag = (ray.self << 5) | (path.depth << 1) | int(ray.side > 0.0);
     for (int slot = 0; slot < kRayStack; ++slot) {
         if (slot == slotOf(depth)) stack[slot] = StackEntry(ray.origin, ray.direction, bits, cone, tag);
+#if MEDIA
+        if (slot == slotOf(depth)) media[slot] = beyond.xz | beyond.yw << 16;
+#endif
     }
     trail = (trail | 1u << depth) & ~(256u << depth);
 }
@@ -60,13 +66,23 @@ void pushRay(inout uint trail, Ray ray, Path path) {
 void popRay(inout uint trail, inout Ray ray, inout Path path) {
     int depth = highestBit(pendingIn(trail));
     StackEntry entry = stack[0];
+#if MEDIA
+    uvec2 ranks = media[0];
+#endif
     for (int slot = 1; slot < kRayStack; ++slot) {
         if (slot == slotOf(depth)) entry = stack[slot];
+#if MEDIA
+        if (slot == slotOf(depth)) ranks = media[slot];
+#endif
     }
     bool kept = ((entry.tag >> 1) & 15) == depth + 1;
     trail = (trail & 0xFFFFu & ~(1u << depth)) | 256u << depth | (kept ? 0u : uint(depth) << 16);
     ray = primaryRay();
     path = primaryPath();
+#if MEDIA
+    resetMedia();
+    if (kept) inside = uvec4(ranks & 0xFFFFu, ranks >> 16).xzyw;
+#endif
     if (kept) {
         uvec2 bits = entry.throughput;
         uvec3 steps = uvec3(bits.x & 0x1FFFFFu, bits.x >> 21 | (bits.y & 0x3FFu) << 11, bits.y >> 10);

@@ -5,6 +5,9 @@
 // Source    T. Whitted, An Improved Illumination Model for Shaded Display, 1980
 #include "ray/primary.glsl"
 #include "ray/path.glsl"
+#if MEDIA
+#include "ray/media.glsl"
+#endif
 #include "integrator/ray_stack.glsl"
 #include "shade/shading_point.glsl"
 #include "shade/sky.glsl"
@@ -26,9 +29,23 @@ float largest(vec3 v) { return max(v.r, max(v.g, v.b)); }
 #endif
 #endif
 
+#if PASSES_ON
+// Surfaces of dielectrics that a ray of the largest depth passes before it is taken to see the background: glass that
+// is dust, as a Mandelbulb's, would hold it up for long.
+const int kMostStraight = 16;
+#endif
+
+#if MEDIA
+const int kMostPassed = 256; // surfaces that are no interface, by all rays of a pixel; what follows takes depth
+#endif
+
 #if REFRACTION
 // All nodes of a binary tree of the largest depth, each traced anew as often as its depth may ask.
+#if MEDIA || PASSES_ON
+const int kMaxIterations = 8192; // and what lets rays go straight on
+#else
 const int kMaxIterations = 2041;
+#endif
 #else
 const int kMaxIterations = 9; // a ray at each depth, and the last surface's shadow rays
 #endif
@@ -54,6 +71,9 @@ bool scatterRay(ShadingPoint at, int object, bool again, inout uint trail, inout
             direction = bent;
             side = -side;
             follow = true;
+#if MEDIA
+            inside = beyond;
+#endif
         }
     }
 #endif
@@ -70,6 +90,10 @@ vec3 radiance(Ray ray) {
     vec3 color = vec3(0.0);
     Path path = primaryPath();
     uint trail = 0u;
+#if MEDIA
+    resetMedia();
+    int passed = 0;
+#endif
 #if SHADOWS_IN_TREE
     ShadowRays shadows;
     shadows.direct.counting = 0u;
@@ -84,6 +108,16 @@ vec3 radiance(Ray ray) {
         int object = nearestHit(ray, t);
 #endif
         if (fallsBack(object)) break;
+#if MEDIA
+        if (object >= 0 && rankOf(object) != 0.0 && next >= 0 && rankOf(next) == 0.0 && coincide(ray, t, nextAt, 1.0)) {
+            object = next; // what water or glass lies on is seen through it
+            t = nextAt;
+            next = -1;
+        }
+#endif
+#if ABSORPTION
+        path.throughput *= absorbed(t);
+#endif
         bool follow = false;
         bool again = retraced(trail, path.depth);
         vec3 throughput = again ? vec3(0.0) : path.throughput;
@@ -96,10 +130,34 @@ vec3 radiance(Ray ray) {
             path.width += path.spread * t;
             ShadingPoint at = shadingPointAt(object, ray, t, path.width);
             vec3 incoming = ray.direction;
+#if MEDIA
+            at.eta = crossMedia(object, at.side, coincide(ray, t, nextAt, at.cosine) ? next : -1);
+            if (at.material.optics == kDielectric && at.eta == 0.0 && ++passed <= kMostPassed) {
+                inside = beyond;
+                ray = rayFrom(at.surface.point, incoming, object, -at.side);
+                continue;
+            }
+            at.eta = at.eta == 0.0 ? 1.0 : at.eta;
+#endif
             vec3 direction = incoming; // of the ray that follows, and the side it travels on
             float side = at.side;
             float width = path.width;
 #if REFLECTION
+#if CUTS
+            bool mirrors = at.material.optics == kDielectric || at.material.optics == kConductor;
+            if (mirrors && path.depth == frame.depth) cut += largest(throughput);
+#endif
+#if PASSES_ON
+            if (at.material.optics == kDielectric && path.depth >= frame.depth) {
+                ++path.depth;
+                follow = path.depth <= frame.depth + kMostStraight; // unbent: what bends no more ends no light either
+                if (!follow) color += throughput * skyColor(incoming, path.spread);
+                side = -side;
+#if MEDIA
+                inside = beyond;
+#endif
+            }
+#endif
             if (at.material.optics != kPlain && path.depth < frame.depth)
                 follow = scatterRay(at, object, again, trail, path, direction, side);
 #endif

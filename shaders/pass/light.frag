@@ -32,7 +32,10 @@ void main() {
         uvec3 nothing = uvec3(i) & frame.zero.xyz; // opaque to the compiler: no work is shared between the repeats
         vec3 point = uintBitsToFloat(floatBitsToUint(receiver.xyz) ^ nothing);
         Surface surface = bareSurface(point, normal.xyz, 0.0);
-        fraction = lightFraction(surface, int(normal.w), Light(light.xyz, light.w, vec3(1.0)), receiver.w);
+        Light asked; // of which shadows know no more
+        asked.position = light.xyz;
+        asked.radius = light.w;
+        fraction = lightFraction(surface, int(normal.w), asked, receiver.w);
     }
 #if OUTPUT == STEPS
     outLight = vec4(fraction, float(evaluations), 0.0, 0.0);

@@ -59,7 +59,12 @@ vec4 distanceTriangle(Triangle triangle, vec3 p, vec3 from) {
 
 // Of the box about all triangles of the scene: their texels carry it along.
 vec3 middleOfTriangles() {
+#if TRIANGLES
     return vec3(sceneTexel(kTriangleBase).w, sceneTexel(kTriangleBase + 1).w, sceneTexel(kTriangleBase + 2).w);
+#else
+    const int at = kSmoothTriangleBase;
+    return vec3(sceneTexel(at).w, sceneTexel(at + 1).w, sceneTexel(at + 2).w);
+#endif
 }
 
 // How points are seen along a ray: along the axis where its direction is largest, and across it.

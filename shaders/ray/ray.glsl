@@ -18,6 +18,7 @@ struct Ray {
 // uv         texture coordinates, and uvPerUnit: how much of them one scene unit covers
 // tangent    unit, towards +u; with the normal it gives the frame of normal maps
 // curvature  1 / radius of the surface, 0 where it is flat; how much a reflected ray cone spreads
+// lean       from the normal to that of the surface which a smooth triangle stands for
 struct Surface {
     vec3 point;
     vec3 normal;
@@ -25,11 +26,18 @@ struct Surface {
     vec2 uvPerUnit;
     vec3 tangent;
     float curvature;
+#if SMOOTH
+    vec3 lean;
+#endif
 };
 
 // A surface without a texture's frame: shapes add uv, uvPerUnit and tangent where objects of theirs show images.
 Surface bareSurface(vec3 point, vec3 normal, float curvature) {
+#if SMOOTH
+    return Surface(point, normal, vec2(0.0), vec2(0.0), vec3(0.0), curvature, vec3(0.0));
+#else
     return Surface(point, normal, vec2(0.0), vec2(0.0), vec3(0.0), curvature);
+#endif
 }
 
 // +1 or -1 where the ray starts on object `object`, else 0.

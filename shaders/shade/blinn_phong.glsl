@@ -15,5 +15,8 @@ vec3 reflectedLight(Light light, ShadingPoint at, vec3 albedo, vec3 toEye) {
     float highlight = max(dot(at.normal, between) * inversesqrt(max(dot(between, between), 1e-30)), 0.0);
     float power = pow(highlight, at.material.shininess);
     vec3 specular = highlight > 0.0 ? clamp(at.material.specular * power, 0.0, 1.0) : vec3(0.0);
+#if LIGHT_PROFILES
+    light.color *= lightProfile(light, toLight);
+#endif
     return reached ? light.color * (diffuse + specular) : vec3(0.0);
 }

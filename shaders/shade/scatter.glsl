@@ -19,6 +19,27 @@ struct Scatter {
 #endif
 };
 
+#if EXACT_FRESNEL
+// Of a clear layer, seen from the air whichever side the ray comes from, of a dielectric or of a conductor.
+vec3 reflectanceOf(ShadingPoint at, float cosine) {
+    vec3 reflectance = vec3(0.0);
+#if COATS || REFRACTION
+    vec2 indices = vec2(1.0, at.material.ior); // on the ray's side, beyond
+#if MEDIA
+    indices = at.material.optics == kDielectric ? vec2(at.eta, 1.0) : indices; // their ratio is all that counts
+#elif REFRACTION
+    indices = at.material.optics == kDielectric && at.side < 0.0 ? indices.yx : indices;
+#endif
+    reflectance = vec3(fresnelDielectric(cosine, indices.x, indices.y));
+#endif
+#if METALS
+    vec3 metal = fresnelConductor(cosine, at.metal.n, at.metal.k);
+    reflectance = at.material.optics == kConductor ? metal : reflectance;
+#endif
+    return reflectance;
+}
+#endif
+
 Scatter scatterAt(ShadingPoint at, vec3 incoming) {
     Scatter scatter;
     scatter.facingRatio = max(-dot(incoming, at.normal), 0.0);
@@ -26,14 +47,34 @@ Scatter scatterAt(ShadingPoint at, vec3 incoming) {
     float coat = at.paint.a;
 #if REFRACTION
     bool dielectric = at.material.optics == kDielectric;
+#if MEDIA
+    scatter.eta = at.eta;
+#else
     scatter.eta = at.side > 0.0 ? 1.0 / at.material.ior : at.material.ior;
+#endif
     float squared = 1.0 - scatter.eta * scatter.eta * (1.0 - cosine * cosine);
     scatter.beyond = dielectric ? squared : -1.0;
     bool leaving = scatter.beyond >= 0.0 && at.side < 0.0; // Schlick's formula wants the angle on the thinner side
+#if MEDIA && !EXACT_FRESNEL
+    bool thinner = scatter.beyond >= 0.0 && scatter.eta > 1.0;
+    cosine = thinner ? sqrt(scatter.beyond) : cosine;
+#elif !EXACT_FRESNEL
     cosine = leaving ? sqrt(scatter.beyond) : cosine;
+#endif
     coat = leaving ? 1.0 : coat;
 #endif
+#if EXACT_FRESNEL
+    scatter.reflected = reflectanceOf(at, cosine) * coat;
+#else
+#if MEDIA
+    float atNormal = (scatter.eta - 1.0) / (scatter.eta + 1.0);
+    if (dielectric) at.material.f0 = vec3(atNormal * atNormal);
+#endif
     scatter.reflected = fresnel(at.material.f0, cosine) * coat;
+#endif
+#if MIRRORS
+    scatter.reflected = at.material.optics == kMirror ? at.material.f0 : scatter.reflected;
+#endif
 #if REFRACTION
     scatter.reflected = dielectric && scatter.beyond < 0.0 ? vec3(1.0) : scatter.reflected;
 #endif

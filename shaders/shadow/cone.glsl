@@ -6,6 +6,8 @@
 // coneDistance  what the scene leaves free there
 // fractionOf    tau: the part of a unit disc that a half plane at signed distance r from its middle leaves, -1: none,
 //               1: all
+// taperOf       of marches that end at what they meet: 0, or 1 / reach where the light lies on a surface, which every
+//             march to it meets. Then widths taper to nothing at the light, and the last thousandth is not marched
 // Model       what stands in the way is a half plane, and of several things the nearest to the axis alone counts: the
 //             fraction is fractionOf(least of distance / radius). Pointed, several and thin occluders break that; so do
 //             wide lights, since a cone that touches the surface at its start finds cos(alpha) there instead of 1
@@ -60,3 +62,10 @@ float coneDistance(inout ShadowCone cone, float t) {
     cone.free = sceneDistance(p, cone.start, min(atMost, 3e38)).w;
     return cone.free;
 }
+
+float taperOf(inout ShadowCone cone) {
+    float resolution = 4e-6 * (dot(abs(cone.start), vec3(1.0)) + cone.reach); // of float32, of the coordinates
+    return coneDistance(cone, cone.reach) < resolution ? 1.0 / cone.reach : 0.0;
+}
+
+float endOf(ShadowCone cone, float taper) { return taper > 0.0 ? 0.999 * cone.reach : cone.reach; }

@@ -15,11 +15,17 @@ const float kMet = 0.03;
 
 bool hidden(ShadowQuery toPoint) {
     ShadowCone cone = coneOf(toPoint);
+#if DIRECTIONAL
+    float met = max(kMet * cone.radius, 1e-6 * dot(abs(cone.start), vec3(1.0))); // a light may be at no distance
+#else
     float met = max(kMet * cone.radius, 1e-6 * (dot(abs(cone.start), vec3(1.0)) + cone.reach));
+#endif
+    float taper = taperOf(cone);
+    float end = endOf(cone, taper);
     float t = 0.0;
-    for (int i = 0; i < frame.shadowSteps && t < cone.reach; ++i) {
+    for (int i = 0; i < frame.shadowSteps && t < end; ++i) {
         float free = coneDistance(cone, t);
-        if (free < met) return true;
+        if (free < met * (1.0 - t * taper)) return true;
         t += free;
     }
     return false;

@@ -7,7 +7,9 @@
 vec4 preload() {
     const int kMostLooped = 4; // of more a compiler keeps the loop: their addresses are fixed no longer
     vec4 sum = vec4(frame.threshold, frame.lightRadius, frame.depth, frame.light) + vec4(frame.zero);
-#if !CUBEMAP
+#if GRADIENT
+    for (int i = 0; i < 2; ++i) sum += sceneTexel(kGradientBase + i);
+#elif !CUBEMAP && !PANORAMA
     sum += frame.background;
 #endif
 #if DISTANCES

@@ -229,8 +229,10 @@ function skyTexel(raHours, dec) {
   return faceTexel([Math.cos(d) * Math.cos(a), Math.sin(d), -Math.cos(d) * Math.sin(a)]);
 }
 
-// Table 8.19 of the OpenGL 4.6 specification, row by row.
-function faceTexel([rx, ry, rz]) {
+// Table 8.19 of the OpenGL 4.6 specification, row by row, for the direction with x mirrored (docs/scenes.md): a
+// constellation is then not.
+function faceTexel([x, ry, rz]) {
+  const rx = -x;
   const major = [Math.abs(rx), Math.abs(ry), Math.abs(rz)];
   const axis = major.indexOf(Math.max(...major));
   const [name, sc, tc] = [

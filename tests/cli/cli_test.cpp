@@ -268,7 +268,7 @@ TEST_F(Cli, RefusesSettingsOutOfRangeWithTheRange) {
     expectRefused("render lite -o x.png --size=100000x600", 2, "size: 100000 is out of range; use 1…16384");
     expectRefused("render lite -o x.png --depth=9", 2, "depth: 9 is out of range; use 1…8");
     expectRefused("render lite -o x.png --depth=0", 2, "depth: 0 is out of range; use 1…8");
-    expectRefused("render lite -o x.png --fov=180", 2, "fov: 180 is out of range; use 1…170");
+    expectRefused("render lite -o x.png --fov=180", 2, "fov: 180 is out of range; use 0.001…170");
 }
 
 TEST_F(Cli, RefusesNumbersThatAreNone) {

@@ -208,7 +208,8 @@ const std::vector<Shot> kAround{
     {{300, 700, 1500}, {0, 0, 0}, 0, 0.1}, {{2e5, 3e5, 8e5}, {0, 0, 0}, 0, 2e-4},    {{0, 0, 8e5}, {0, 0, 0}, 0, 2e-4}};
 
 TEST(Hierarchies, LeaveCloudsOfSpheresAsTheyAre) {
-    for (const int count : {300, 2000}) expectAlike(studio(inACube(count, 1)), kAround, 100);
+    // No more: llvmpipe ends the loops of a pixel after 65 535 iterations in all, asking each object counts as one.
+    for (const int count : {300, 1000}) expectAlike(studio(inACube(count, 1)), kAround, 100);
     expectAlike(studio(clustered(1000)), kAround, 50);
     expectAlike(studio(onTheGround(500)), kAround, 50);
 }

@@ -47,7 +47,10 @@ Bounds boundsOf(ShapeKind kind) {
     case ShapeKind::Disc:
     case ShapeKind::Torus:
     case ShapeKind::Capsule: return {2};
-    case ShapeKind::Triangle: return {2.5L, 3};
+    case ShapeKind::RotatedBox: return {2.5L, 3};
+    case ShapeKind::Ellipsoid: return {3, 4};
+    case ShapeKind::Triangle:
+    case ShapeKind::SmoothTriangle: return {2.5L, 3};
     case ShapeKind::Cylinder: return {2.5L};
     case ShapeKind::Cone: return {3};
     case ShapeKind::LargeSphere:
@@ -195,7 +198,7 @@ float unsignedOfPlane(const ExactShape<Real>& shape, float distance) {
 Errors errorsOf(const Shape& shape, const std::vector<BatchPoint>& points, const std::vector<BatchDistance>& answers) {
     const ExactShape<Real> exactShape(shape);
     const auto relative = [&](glm::vec3 p) { return Point(p) - exactShape.middle(); };
-    const Real stiff = exactShape.kind() == ShapeKind::Triangle ? exactShape.size() / exactShape.bend({}) : 0;
+    const Real stiff = exactShape.triangle() ? exactShape.size() / exactShape.bend({}) : 0;
     Errors errors;
     Real scaleBefore = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -273,6 +276,9 @@ const Mutant kMutants[] = {
      "beyond * outward;"},
     {"boxWithoutAnInside", "boxfat", "primitive/box.glsl", "gap + depth)", "gap)"},
     {"boxOfOneOctant", "boxfat", "primitive/box.glsl", "side * safeDirection", "safeDirection"},
+    {"ellipsoidOfOneStep", "ellipsoidthin", "primitive/ellipsoid.glsl", "i < 24", "i < 1"},
+    {"rotatedBoxRotatedTheOtherWay", "rotated_boxfat", "primitive/rotated_box.glsl",
+     "(p - rotated.center) * rotated.axes, from", "rotated.axes * (p - rotated.center), from"},
     {"cylinderOfOneEnd", "cylinderfat", "primitive/cylinder.glsl", "top * nearest.y", "nearest.y"},
     {"capsuleWithoutEnds", "capsulefat", "primitive/capsule.glsl", "-axis.halfLength, axis.halfLength)", "-1e9, 1e9)"},
     {"coneWithoutABase", "conefat", "primitive/cone.glsl", "inside ? max(above, -fromRim.y) : gap",

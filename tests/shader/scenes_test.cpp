@@ -6,6 +6,7 @@
 /// pixel there): an edge may fall beside the true one by that much, but there is no speck where there is no edge.
 /// GNOMON_PICTURES=FOLDER keeps both pictures of each test.
 
+#include "lab/reference/exact/fresnel.h"
 #include "tests/support/oracle_pictures.h"
 
 #include <glm/gtc/type_ptr.hpp>
@@ -149,8 +150,8 @@ Scene underTheTop(double ior) {
 /// What leaves towards the eye where the squared cosine beyond the surface is k.
 glm::dvec2 redAndGreen(double ior, double k) {
     if (k < 0) return {1, 0};
-    const double atNormal = std::pow((ior - 1) / (ior + 1), 2);
-    const double mirrored = atNormal + (1 - atNormal) * std::pow(1 - std::sqrt(std::min(k, 1.0)), 5);
+    const double cosine = std::sqrt(1 - (1 - k) / (ior * ior));
+    const double mirrored = oracle::fresnelReflectance(cosine, std::complex<double>(1 / ior));
     return {mirrored, 1000 * (1 - mirrored)};
 }
 
@@ -180,6 +181,10 @@ double errorOfK(double ior) {
     return square * (0x1p-22 * cosine2 + 0x1p-24 * cosine2 + 0x1p-25) + 0x1p-23;
 }
 
+// For the reflectance b² = n² c² + (1 - n²) stands in for k: n² c² carries six roundings of 2^-24, 1 - n² three, and
+// n² c² is n² - 1 at the critical angle.
+double errorOfReflectance(double ior) { return (ior * ior - 1) * 9 * 0x1p-24 + errorOfK(ior); }
+
 // Total reflection is decided as by exact arithmetic from errorOfK() on, which holds for the sine of the critical angle
 // times 1 ± 1e-6 and ± 1e-5; within, at ± 1e-7, it is one of the two, and what is not reflected goes through.
 TEST(CriticalAngle, DecidesBetweenReflectionAndTransmission) {
@@ -200,7 +205,8 @@ TEST(CriticalAngle, DecidesBetweenReflectionAndTransmission) {
                 }
                 // Green shows 1000 (1 - F), which float32 has to 1000 * 2^-24 only, and so has red + green / 1000.
                 lost += !(std::abs(red + green / 1000 - 1) <= 0x1p-21);
-                const double least = redAndGreen(ior, k - error).y, most = redAndGreen(ior, k + error).y;
+                const double more = errorOfReflectance(ior);
+                const double least = redAndGreen(ior, k - more).y, most = redAndGreen(ior, k + more).y;
                 off += !(green >= least - 2e-3 && green <= most + 2e-3);
             }
         std::printf("ior %g: %d decided beyond |k| > %.2g, %d wrong, %d lost, %d off\n", ior, decided, error, wrong,

@@ -48,6 +48,10 @@ inline constexpr SolidExample kSolids[] = {
         {"transform": {"scale": 0.5, "of": {"transform": {"translate": [-1.4, 0, 0.2], "rotate": [20, 0, 10],
             "of": {"cylinder": {"from": [0, -1, 0], "to": [0, 1, 0], "radius": 0.6}}}}}}],
         "blend": 0.2)"},
+    {"ScaledUnevenly",
+     R"("transform": {"rotate": [30, -40, 70], "scale": [0.6, 0.3, 0.9],
+          "of": {"difference": [{"sphere": {"center": [0.2, 0, 0], "radius": 1}},
+        {"box": {"center": [0.9, 0.5, 0.2], "half_size": [0.6, 0.5, 0.4]}}]}})"},
     {"Mandelbulb", R"("mandelbulb": {"center": [0.1, 0, 0], "radius": 0.9, "power": 8, "iterations": 6})"},
 };
 

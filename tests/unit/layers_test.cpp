@@ -31,6 +31,21 @@ std::uint8_t texel(const Image& image, int x, int y, int channel) {
     return image.rgba[std::size_t(row * image.width + column) * 4 + std::size_t(channel)];
 }
 
+Layers layersOf(const std::vector<Image>& images, bool srgb, int side, std::size_t bytes) {
+    std::vector<glm::ivec2> sizes;
+    for (const Image& image : images) sizes.emplace_back(image.width, image.height);
+    return Layers(sizes, srgb, side, bytes);
+}
+
+/// The whole layer that an image becomes, at that level.
+Image levelOf(const Layers& layers, int layer, const Image& image, int level) {
+    Image found;
+    layers.forEachLevel(layer, image, [&](int at, const Image& whole) {
+        if (at == level) found = whole;
+    });
+    return found;
+}
+
 /// Whether `layer` holds `image` again and again.
 testing::AssertionResult repeats(const Image& layer, const Image& image) {
     for (int y = 0; y < layer.height; ++y)
@@ -42,7 +57,7 @@ testing::AssertionResult repeats(const Image& layer, const Image& image) {
 }
 
 TEST(Layers, HaveTheSizeOfTheLargestSides) {
-    const Layers layers({noise(64, 8), noise(16, 32)}, false, kRoom, kPlenty);
+    const Layers layers = layersOf({noise(64, 8), noise(16, 32)}, false, kRoom, kPlenty);
     EXPECT_EQ(layers.count(), 2);
     EXPECT_EQ(layers.width(0), 64);
     EXPECT_EQ(layers.height(0), 32);
@@ -56,12 +71,12 @@ TEST(Layers, HaveTheSizeOfTheLargestSides) {
 TEST(Layers, RepeatWhatGoesIntoThemByPowersOfTwoAtEveryLevel) {
     for (const bool srgb : {false, true}) {
         const Image small = noise(16, 8);
-        const Layers layers({noise(64, 32), small}, srgb, kRoom, kPlenty);
+        const Layers layers = layersOf({noise(64, 32), small}, srgb, kRoom, kPlenty);
         EXPECT_EQ(layers.tile(0), glm::vec2(1));
         EXPECT_EQ(layers.tile(1), glm::vec2(0.25f));
         Image alone = small;
         for (int level = 0; level < layers.levels(); ++level) {
-            const Image whole = layers.at(1, level);
+            const Image whole = levelOf(layers, 1, small, level);
             EXPECT_EQ(whole.width, layers.width(level));
             EXPECT_EQ(whole.height, layers.height(level));
             EXPECT_TRUE(repeats(whole, alone)) << "level " << level;
@@ -71,28 +86,28 @@ TEST(Layers, RepeatWhatGoesIntoThemByPowersOfTwoAtEveryLevel) {
 }
 
 TEST(Layers, StretchWhatDoesNotGoIntoThemAlongThatSideOnly) {
-    const Layers layers({noise(64, 32), noise(48, 16)}, false, kRoom, kPlenty);
+    const Layers layers = layersOf({noise(64, 32), noise(48, 16)}, false, kRoom, kPlenty);
     EXPECT_EQ(layers.tile(1), glm::vec2(1, 0.5f));
     // A ramp that repeats stays one, and nothing of it leaves its range.
     Image ramp = plain(3, 1, 255);
     for (int x = 0; x < 3; ++x) ramp.rgba[std::size_t(x) * 4] = std::uint8_t(60 * x);
-    const Image wide = Layers({plain(6, 1, 0), ramp}, false, kRoom, kPlenty).at(1, 0);
+    const Image wide = levelOf(layersOf({plain(6, 1, 0), ramp}, false, kRoom, kPlenty), 1, ramp, 0);
     const int expected[] = {30, 15, 45, 75, 105, 90};
     for (int x = 0; x < 6; ++x) EXPECT_EQ(texel(wide, x, 0, 0), expected[x]) << "texel " << x;
     EXPECT_EQ(texel(wide, 2, 0, 3), 255);
 }
 
 TEST(Layers, AreHalvedUntilTheyFit) {
-    const Layers bySide({noise(64, 32), noise(16, 16)}, false, 32, kPlenty);
+    const Layers bySide = layersOf({noise(64, 32), noise(16, 16)}, false, 32, kPlenty);
     EXPECT_TRUE(bySide.reduced());
     EXPECT_EQ(bySide.width(0), 32);
     EXPECT_EQ(bySide.height(0), 16);
-    EXPECT_TRUE(repeats(bySide.at(0, 0), halved(noise(64, 32), false)));
-    const Layers byBytes({noise(64, 64), noise(8, 8)}, false, kRoom, std::size_t(2 * 16 * 16 * 4));
+    EXPECT_TRUE(repeats(levelOf(bySide, 0, noise(64, 32), 0), halved(noise(64, 32), false)));
+    const Layers byBytes = layersOf({noise(64, 64), noise(8, 8)}, false, kRoom, std::size_t(2 * 16 * 16 * 4));
     EXPECT_TRUE(byBytes.reduced());
     EXPECT_EQ(byBytes.width(0), 16);
-    EXPECT_TRUE(repeats(byBytes.at(1, 0), noise(8, 8))) << "small ones stay as they are";
-    EXPECT_EQ(Layers({noise(4, 4)}, false, kRoom, 0).width(0), 1) << "one texel always fits";
+    EXPECT_TRUE(repeats(levelOf(byBytes, 1, noise(8, 8), 0), noise(8, 8))) << "small ones stay as they are";
+    EXPECT_EQ(layersOf({noise(4, 4)}, false, kRoom, 0).width(0), 1) << "one texel always fits";
 }
 
 TEST(Painted, TakesTheMasksRedAsAlphaAndWhiteForWhatIsMissing) {

@@ -119,6 +119,34 @@ TEST(PreparedScene, HoldsWhatIsAskedOfAScene) {
     EXPECT_FALSE(prepare(sceneNamed("simple"))->moves);
 }
 
+// What of reflectance, checkers and lights a scene does not use, its shader and its data do not know.
+TEST(Plan, HoldsOfMaterialsAndLightsWhatTheSceneUses) {
+    const auto planFor = [](const std::string& more) {
+        return planOf(*prepare(sceneFrom("{" + more + R"("objects": [{"sphere": {"center": [0, 0, 0], "radius": 1},
+            "material": "m"}]})")),
+                      {}, {});
+    };
+    const SceneFeatures glass = planFor(R"("materials": {"m": {"dielectric": {"ior": 1.5}}},)").scene;
+    EXPECT_TRUE(glass.exactFresnel);
+    EXPECT_FALSE(glass.metals() || glass.mirrors || glass.checkers || glass.lightProfiles || glass.directional);
+    const std::string metal = R"("materials": {"m": {"conductor": {"n": 1, "k": 2}}},)";
+    EXPECT_TRUE(planFor(metal).scene.metals());
+    EXPECT_FALSE(planFor(R"("fresnel": "schlick",)" + metal).scene.metals());
+    EXPECT_FALSE(planFor(R"("materials": {"m": {"diffuse": 1}},)").scene.exactFresnel) << "nothing reflects";
+    EXPECT_TRUE(planFor(R"("materials": {"m": {"mirror": 1}},)").scene.mirrors);
+    EXPECT_TRUE(planFor(R"("materials": {"m": {"checker": {"colors": [1, 0]}}},)").scene.checkers);
+    const auto lit = [&](const std::string& light) {
+        return planFor(R"("materials": {"m": {}}, "lights": [{)" + light + "}],").scene;
+    };
+    const std::string point = R"("point": {"position": [0, 9, 0]})";
+    EXPECT_FALSE(lit(point).lightProfiles || lit(point).directional);
+    EXPECT_TRUE(lit(point + R"(, "falloff": 2)").lightProfiles);
+    EXPECT_TRUE(lit(R"("spot": {"position": [0, 9, 0], "direction": [0, -1, 0]})").lightProfiles);
+    EXPECT_TRUE(lit(R"("directional": {"direction": [0, -1, 0]})").directional);
+    for (const char* name : {"lite", "pro"})
+        EXPECT_FALSE(planOf(*prepare(sceneNamed(name)), {}, {}).scene.exactFresnel);
+}
+
 // ---- What contradicts itself
 
 /// Pro's plan, in which nothing does, with one change.
@@ -133,6 +161,16 @@ std::string withChange(const std::function<void(Plan&)>& change, const CodegenTa
 }
 
 TEST(Contradiction, IsToldOfTheScenesFacts) {
+    EXPECT_EQ(withChange([](Plan& p) {
+                  p.scene.directional = true;
+                  p.scene.fromLight = true;
+              }),
+              "shadow cones from a light without a place");
+    EXPECT_EQ(withChange([](Plan& p) {
+                  p.scene.directional = true;
+                  p.scene.shadows = ShadowModel::Silhouette;
+              }),
+              "a shadow model that takes no directional light");
     EXPECT_EQ(withChange([](Plan& p) { p.scene.reflection = false; }), "reflection without a material that reflects");
     EXPECT_EQ(withChange([](Plan& p) { p.scene.lights = 0; }), "shadows without a light");
     EXPECT_EQ(withChange([](Plan& p) {

@@ -169,6 +169,7 @@ const std::map<std::string, std::string> kTables{
     {"tests/cli/cli_test.cpp", "one test for each thing a user may type"},
     {"tests/shader/accel_test.cpp", "one table of scenes for all searches"},
     {"tests/shader/distance_test.cpp", "one table of points for all shapes"},
+    {"tracer/scene/scene_format.cpp", "one table of all that a scene file may say"},
     {"tests/unit/hierarchy_test.cpp", "one table of trees for all of their tests"},
 };
 

@@ -116,8 +116,8 @@ TEST(ReadScene, RefusesTooManyValues) {
 
 TEST(ReadScene, RefusesTooManyObjects) {
     std::string text = "{\"objects\": [";
-    for (int i = 0; i < 20001; ++i) text += std::string(i ? "," : "") + R"({"sphere":{"center":[0,0,0],"radius":1}})";
-    EXPECT_EQ(problemsOf(text + "]}"), "f:1: objects: 20001 entries; use 1 to 20000 entries\n");
+    for (int i = 0; i < 80001; ++i) text += std::string(i ? "," : "") + R"({"sphere":{"center":[0,0,0],"radius":1}})";
+    EXPECT_EQ(problemsOf(text + "]}"), "f:1: objects: 80001 entries; use 1 to 80000 entries\n");
 }
 
 TEST(ReadScene, StaysQuickWhereEverythingIsWrong) {

@@ -8,6 +8,9 @@ import { readQuery, writeQuery } from '../../web/page/url.js';
 
 test('moving keys go by place, letters by cap, digits by place', () => {
   assert.equal(keyName({ code: 'KeyW', key: 'z' }), 'W'); // French layout
+  assert.equal(keyName({ code: 'KeyZ', key: 'w' }), null); // its W lies elsewhere: no second forward
+  assert.equal(keyName({ code: 'KeyA', key: 'q' }), 'A');
+  assert.equal(keyName({ code: 'KeyQ', key: 'a' }), null);
   assert.equal(keyName({ code: 'Digit1', key: '&' }), '1');
   assert.equal(keyName({ code: 'KeyU', key: 'g' }), 'G'); // Dvorak
   assert.equal(keyName({ code: 'KeyG', key: 'п' }), 'G'); // Russian layout

@@ -31,22 +31,19 @@ async function output(page, aov) {
   return { ...shape, data: new Float32Array(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length)) };
 }
 
-/**
- * Draws in a page of its own and answers the bytes of a file.
- * @param options.set texts KEY=VALUE, beside time 0 and pause
- * @param options.output the file's name: its end says whether the picture or the output `aov` is written
- */
-export async function fileOf(browser, url, { scene, size, set, aov, output: name }) {
+/** A page of its own at time 0 that stands still. @param set texts KEY=VALUE, beside time and pause */
+export async function openStill(browser, url, { scene, size, set }) {
   const query = new URLSearchParams({ scene, size, time: '0', pause: 'on' });
   for (const pair of set) query.set(pair.slice(0, pair.indexOf('=')), pair.slice(pair.indexOf('=') + 1));
   const page = await openPage(browser, `${url}?${query}`);
-  try {
-    const told = await page.$eval('.problems', (element) => element.textContent);
-    if (told) throw new Error(told); // a picture of something else than asked for helps nobody
-    const file = name.endsWith('.png') ? png(await picture(page)) : pfm(await output(page, aov));
-    page.verify();
-    return file;
-  } finally {
-    await page.close();
-  }
+  const told = await page.$eval('.problems', (element) => element.textContent);
+  if (told) throw new Error(told); // a picture of something else than asked for helps nobody
+  return page;
+}
+
+/** The page's picture as the bytes of a PNG file, or one of its outputs as those of a PFM file. */
+export async function fileFrom(page, aov = '') {
+  const file = aov ? pfm(await output(page, aov)) : png(await picture(page));
+  page.verify();
+  return file;
 }

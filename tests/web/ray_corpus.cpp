@@ -7,7 +7,9 @@
 #include "lab/intersect/compare_hit.h"
 #include "lab/intersect/subjects.h"
 #include "tracer/scene/read_scene.h"
+#include "tracer/scene/rotation.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
@@ -50,16 +52,27 @@ std::string number(double x) {
 
 std::string vector(const double* v) { return "[" + number(v[0]) + ", " + number(v[1]) + ", " + number(v[2]) + "]"; }
 
+/// About x, then y, then z, as scene files tell a rotation.
+glm::dvec3 degreesOf(const glm::dmat3& axes) {
+    return glm::degrees(glm::dvec3(std::atan2(axes[1].z, axes[2].z), std::asin(std::clamp(-axes[0].z, -1.0, 1.0)),
+                                   std::atan2(axes[0].y, axes[0].x)));
+}
+
 std::string sceneText(const Shape& shape) {
     std::string fields;
     for (const ShapeField& field : shapeRow(shape.kind).fields) {
         const double* values = &shape.values[std::size_t(field.at)];
         std::string value = vectorCount(field.type) > 0 ? vector(values) : number(*values);
+        if (field.type == FieldType::Rotation) {
+            const glm::dvec3 degrees = degreesOf(axesOf(pointOf(shape, field.key)));
+            value = vector(&degrees.x);
+        }
         if (field.type == FieldType::Vertices)
             value = "[" + value + ", " + vector(values + 3) + ", " + vector(values + 6) + "]";
         fields += (fields.empty() ? "\"" : ", \"") + std::string(field.key) + "\": " + value;
     }
-    return "{\"objects\": [{\"" + std::string(shapeRow(shape.kind).key) + "\": {" + fields + "}}]}\n";
+    const ShapeKind written = shape.kind == ShapeKind::RotatedBox ? ShapeKind::Box : shape.kind;
+    return "{\"objects\": [{\"" + std::string(shapeRow(written).key) + "\": {" + fields + "}}]}\n";
 }
 
 /// The shape as a reader of the scene file has it: a direction is made unit anew there.

@@ -1,7 +1,7 @@
 // Renders one frame of the page in a real browser and writes the canvas' pixels, or an output as floats.
 import { parseArgs } from 'node:util';
 import { writeFile } from 'node:fs/promises';
-import { fileOf } from './picture_file.mjs';
+import { fileFrom, openStill } from './picture_file.mjs';
 import { launch } from './browsers.mjs';
 import { serve } from './server.mjs';
 
@@ -46,7 +46,8 @@ if (!['chromium', 'firefox'].includes(chosen.browser)) fail(`there is no browser
 const server = await serve();
 const browser = await launch(chosen.browser);
 try {
-  await writeFile(chosen.output, await fileOf(browser, server.url, chosen));
+  const page = await openStill(browser, server.url, chosen);
+  await writeFile(chosen.output, await fileFrom(page, chosen.output.endsWith('.pfm') ? chosen.aov : ''));
 } catch (error) {
   console.error(`render: error: ${error.message}`);
   process.exitCode = 1;

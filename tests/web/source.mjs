@@ -19,14 +19,15 @@ export async function sourceShaders() {
 
 const skyDistance = 10_000;
 
-// A face of a cube map: where it lies, and the ways in which its image's columns and rows run (OpenGL 4.6, table 8.19).
+// A face of a cube map: where it lies, and the ways in which its image's columns and rows run: OpenGL 4.6, table 8.19,
+// with x mirrored (docs/scenes.md).
 const skyFaces = {
-  px: { outward: [1, 0, 0], across: [0, 0, -1], down: [0, -1, 0] },
-  nx: { outward: [-1, 0, 0], across: [0, 0, 1], down: [0, -1, 0] },
-  py: { outward: [0, 1, 0], across: [1, 0, 0], down: [0, 0, 1] },
-  ny: { outward: [0, -1, 0], across: [1, 0, 0], down: [0, 0, -1] },
-  pz: { outward: [0, 0, 1], across: [1, 0, 0], down: [0, -1, 0] },
-  nz: { outward: [0, 0, -1], across: [-1, 0, 0], down: [0, -1, 0] },
+  px: { outward: [-1, 0, 0], across: [0, 0, -1], down: [0, -1, 0] },
+  nx: { outward: [1, 0, 0], across: [0, 0, 1], down: [0, -1, 0] },
+  py: { outward: [0, 1, 0], across: [-1, 0, 0], down: [0, 0, 1] },
+  ny: { outward: [0, -1, 0], across: [-1, 0, 0], down: [0, 0, -1] },
+  pz: { outward: [0, 0, 1], across: [-1, 0, 0], down: [0, -1, 0] },
+  nz: { outward: [0, 0, -1], across: [1, 0, 0], down: [0, -1, 0] },
 };
 
 const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];

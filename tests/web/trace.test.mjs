@@ -6,13 +6,13 @@
 //        leaves of the figures in docs/results.md
 import { after, before, describe, test } from 'node:test';
 import { strict as assert } from 'node:assert';
-import { median, openPair, race } from './against_source.mjs';
+import { median, openPair, timeInTurns } from './against_source.mjs';
 import { browserNames, openPage, picture } from './browsers.mjs';
 import { serve } from './server.mjs';
 import { sharedBrowser } from './shared_browser.mjs';
 
 const still = 'pause=on&time=0&depth=8&adapt=off';
-const compared = { lite: { size: '320x240', least: 1.1 }, pro: { size: '160x120', least: 2 } };
+const compared = { lite: { size: '200x150', least: 1.1 }, pro: { size: '160x120', least: 2 } };
 
 const apart = (a, b) => a.data.reduce((most, value, i) => Math.max(most, Math.abs(value - b.data[i])), 0);
 
@@ -39,7 +39,7 @@ for (const name of browserNames)
       test(`${scene} is the source's picture, at least ${least} times as fast`, async () => {
         const { ours, source } = await openPair(browser, server.url, { scene, size });
         const share = shareWithin(await picture(ours), await picture(source), 24);
-        const { ratios } = await race({ ours, source }, 5);
+        const { ratios } = await timeInTurns({ ours, source }, 5);
         const all = ratios.map((ratio) => ratio.toFixed(2)).join(' ');
         const text = `${(100 * share).toFixed(2)} % alike; ${median(ratios).toFixed(2)} times as fast (${all})`;
         console.log(`# ${name} ${scene}: ${text}`);

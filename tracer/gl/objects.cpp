@@ -24,8 +24,12 @@ GLint formatOf(Texels texels) { return texels == Texels::Srgb ? GL_SRGB8_ALPHA8 
 void uploadLevels(GLenum target, Image image, Texels texels) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     for (int level = 0;; ++level) {
-        glTexImage2D(target, level, formatOf(texels), image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
-                     image.rgba.data());
+        if (image.coding == Image::Coding::SharedExponent)
+            glTexImage2D(target, level, GL_RGB9_E5, image.width, image.height, 0, GL_RGB, GL_UNSIGNED_INT_5_9_9_9_REV,
+                         image.rgba.data());
+        else
+            glTexImage2D(target, level, formatOf(texels), image.width, image.height, 0, GL_RGBA, GL_UNSIGNED_BYTE,
+                         image.rgba.data());
         if (image.width == 1 && image.height == 1) return;
         image = halved(image, texels == Texels::Srgb);
     }
@@ -81,24 +85,31 @@ Renderbuffer makeStencil(int width, int height) {
     return Renderbuffer(name);
 }
 
-Texture makeImages(const Layers& layers, Texels texels) {
+Texture makeImages(const Layers& layers, const ImageSource& imageOf, Texels texels) {
     Texture texture = makeTexture(GL_TEXTURE_2D_ARRAY, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_REPEAT);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-    for (int level = 0; level < layers.levels(); ++level) {
-        const int width = layers.width(level), height = layers.height(level);
-        glTexImage3D(GL_TEXTURE_2D_ARRAY, level, formatOf(texels), width, height, layers.count(), 0, GL_RGBA,
-                     GL_UNSIGNED_BYTE, nullptr);
-        for (int layer = 0; layer < layers.count(); ++layer)
-            glTexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, layer, width, height, 1, GL_RGBA, GL_UNSIGNED_BYTE,
-                            layers.at(layer, level).rgba.data());
-    }
+    for (int level = 0; level < layers.levels(); ++level)
+        glTexImage3D(GL_TEXTURE_2D_ARRAY, level, formatOf(texels), layers.width(level), layers.height(level),
+                     layers.count(), 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
+    for (int layer = 0; layer < layers.count(); ++layer)
+        layers.forEachLevel(layer, imageOf(layer), [&](int level, const Image& image) {
+            glTexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, layer, image.width, image.height, 1, GL_RGBA,
+                            GL_UNSIGNED_BYTE, image.rgba.data());
+        });
     return texture;
 }
 
-Texture makeCubemap(const std::vector<Image>& faces, Texels texels) {
+Texture makeCubemap(const ImageSource& faceOf, Texels texels) {
     Texture texture = makeTexture(GL_TEXTURE_CUBE_MAP, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE);
-    for (std::size_t i = 0; i < faces.size(); ++i)
-        uploadLevels(GL_TEXTURE_CUBE_MAP_POSITIVE_X + GLenum(i), faces[i], texels);
+    for (int i = 0; i < 6; ++i) uploadLevels(GL_TEXTURE_CUBE_MAP_POSITIVE_X + GLenum(i), faceOf(i), texels);
+    return texture;
+}
+
+Texture makePanorama(Image image, Texels texels, int side) {
+    Texture texture = makeTexture(GL_TEXTURE_2D, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
+    while (std::max(image.width, image.height) > side) image = halved(image, texels == Texels::Srgb);
+    uploadLevels(GL_TEXTURE_2D, std::move(image), texels);
     return texture;
 }
 

@@ -6,9 +6,12 @@ namespace gnomon {
 namespace {
 
 std::string inScene(const SceneFeatures& s) {
-    if (s.reflection != (s.conductors || s.coats || s.refraction)) return "reflection without a material that reflects";
+    if (s.reflection != reflects(s)) return "reflection without a material that reflects";
+    if (s.cubemap + s.panorama + s.gradient > 1) return "more than one background";
     if (s.shadows != ShadowModel::Off && s.lights == 0) return "shadows without a light";
     if (s.fromLight && s.shadows == ShadowModel::Off) return "shadow cones from the light without shadows";
+    if (s.fromLight && s.directional) return "shadow cones from a light without a place";
+    if (s.directional && !shadowRow(s.shadows).parallel) return "a shadow model that takes no directional light";
     if (shadowRow(s.shadows).distances && !s.distances) return "a shadow model without the distances it asks for";
     for (const KindCount& kind : s.shapes) {
         if (kind.casters > kind.count) return "more casters than objects of a kind";

@@ -12,7 +12,9 @@ void addMaterial(const Material& material, const TextureSet& textureSet, const S
                  SceneFeatures& features) {
     features.coats |= std::holds_alternative<Coat>(material.optics);
     features.conductors |= std::holds_alternative<Conductor>(material.optics);
+    features.mirrors |= std::holds_alternative<Mirror>(material.optics);
     features.refraction |= material.refracts();
+    features.checkers |= material.checker.has_value();
     if (textureSet.paintOf(material) >= 0) features.paints = int(textureSet.paints.size());
     if (material.normalMap && settings.normalMaps) features.normalMaps = int(textureSet.normals.size());
 }
@@ -24,13 +26,28 @@ void addMaterials(const PreparedScene& prepared, const Settings& settings, Scene
     for (const Object& object : scene.objects) used[std::size_t(object.material)] = true;
     for (std::size_t i = 0; i < used.size(); ++i)
         if (used[i]) addMaterial(scene.materials[i], prepared.textureSet, settings, features);
-    features.reflection = features.conductors || features.refraction || features.coats;
+    features.reflection = reflects(features);
+    features.exactFresnel = features.reflection && scene.fresnel == Fresnel::Exact;
+}
+
+void addMedia(const PreparedScene& prepared, SceneFeatures& features) {
+    features.passesOn = features.reflection && prepared.scene.depthLimit == DepthLimit::Straight;
+    if (!prepared.media.tracked) return;
+    features.media = int(prepared.media.materials.size()) - 1;
+    features.absorption = prepared.media.absorbing;
 }
 
 void addLight(const Scene& scene, const Settings& settings, SceneFeatures& features) {
     features.lights = int(scene.lights.size());
-    features.shadows = features.lights > 0 ? settings.shadows : ShadowModel::Off;
-    features.fromLight = features.shadows != ShadowModel::Off && settings.coneOrigin == ConeOrigin::Light;
+    for (const Light& light : scene.lights) {
+        features.directional |= light.kind == LightKind::Directional;
+        features.lightProfiles |= light.kind == LightKind::Spot || light.falloff > 0;
+    }
+    const bool served = shadowRow(settings.shadows).parallel || !features.directional;
+    features.shadows = features.lights == 0 ? ShadowModel::Off : served ? settings.shadows : ShadowModel::Hard;
+    // What comes from infinity has no start to march from.
+    features.fromLight =
+        features.shadows != ShadowModel::Off && settings.coneOrigin == ConeOrigin::Light && !features.directional;
     const auto count = [&](auto which) { return std::count_if(scene.objects.begin(), scene.objects.end(), which); };
     if (settings.glow) features.glows = int(count([](const Object& o) { return o.glow.has_value(); }));
     const bool solids = count([](const Object& o) { return o.shape.solid != nullptr; }) > 0;
@@ -58,8 +75,11 @@ Plan planOf(const PreparedScene& prepared, const Settings& settings, const Codeg
     features.march = settings.march;
     features.linear = prepared.scene.encoding == Encoding::Linear;
     features.cubemap = !prepared.skyFaces.empty();
+    features.panorama = !prepared.scene.background.image.empty();
+    features.gradient = prepared.scene.background.gradient.has_value();
     features.materials = int(prepared.scene.materials.size());
     addMaterials(prepared, settings, features);
+    addMedia(prepared, features);
     addLight(prepared.scene, settings, features);
     chooseData(prepared, settings, target, features);
     return plan;

@@ -32,10 +32,11 @@ SearchCost searchCostOf(const KindLayout& kind, const std::vector<Shape>& shapes
     return cost;
 }
 
+/// By world axes in GL's order, of which x is mirrored: cube maps are left-handed, scenes are not.
 std::vector<std::string> facesOf(const Background& background) {
     std::vector<std::string> faces;
     if (background.cubemap.empty()) return faces;
-    for (const char* side : {"-px", "-nx", "-py", "-ny", "-pz", "-nz"}) faces.push_back(background.cubemap + side);
+    for (const char* side : {"-nx", "-px", "-py", "-ny", "-pz", "-nz"}) faces.push_back(background.cubemap + side);
     return faces;
 }
 
@@ -48,6 +49,7 @@ PreparedScenePtr prepare(Scene scene) {
     prepared.shapes = shapesAtRest(scene, prepared.origin);
     prepared.layout = layoutOf(scene, prepared.shapes);
     for (const KindLayout& kind : prepared.layout) prepared.searches.push_back(searchCostOf(kind, prepared.shapes));
+    prepared.media = mediaOf(scene);
     prepared.textureSet = textureSetOf(scene);
     prepared.skyFaces = facesOf(scene.background);
     prepared.moves = changesWithTime(scene);

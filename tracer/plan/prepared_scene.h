@@ -3,6 +3,7 @@
 
 #include "tracer/accel/uniform_grid.h"
 #include "tracer/plan/layout.h"
+#include "tracer/plan/media.h"
 #include "tracer/plan/texture_set.h"
 #include "tracer/scene/scene.h"
 
@@ -29,8 +30,9 @@ struct PreparedScene {
     std::vector<Shape> shapes;        ///< at rest, relative to the origin
     std::vector<KindLayout> layout;   ///< the kinds drawn
     std::vector<SearchCost> searches; ///< of each of them; no objects where there is nothing to search
+    Media media;
     TextureSet textureSet;
-    std::vector<std::string> skyFaces; ///< names of the six images of the cube map; none without one
+    std::vector<std::string> skyFaces; ///< the cube map's images towards +x −x +y −y +z −z; none without one
     bool moves = false;                ///< changesWithTime()
 };
 

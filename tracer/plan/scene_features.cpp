@@ -14,7 +14,10 @@ bool ofOneForm(const std::shared_ptr<const Solid>& a, const std::shared_ptr<cons
 
 std::string KindCount::type() const { return glslTypeOf(kind) + (solid ? std::to_string(form) : ""); }
 
-int KindCount::texels() const { return solid ? texelsOf(*solid) : texelsOf(kind); }
+int KindCount::texels() const {
+    if (solid) return texelsOf(*solid);
+    return texelsOf(kind) + (kind == ShapeKind::SmoothTriangle ? kCornerTexels : 0);
+}
 
 bool KindCount::operator==(const KindCount& other) const {
     return kind == other.kind && count == other.count && casters == other.casters && lattice == other.lattice &&

@@ -45,8 +45,16 @@ struct SceneFeatures {
     std::vector<KindCount> shapes; ///< kinds drawn, in the order of PreparedScene::layout
     int materials = 0, lights = 0, glows = 0;
     int paints = 0, normalMaps = 0; ///< layers of images, none where no material in use shows one
-    bool reflection = false, refraction = false, coats = false, conductors = false;
-    bool cubemap = false, linear = false;
+    bool reflection = false, refraction = false, coats = false, conductors = false, mirrors = false;
+    bool exactFresnel = false;  ///< where materials reflect by indices
+    int media = 0;              ///< bodies that rays track what they are inside of; 0 where none may overlap
+    bool absorption = false;    ///< by one of them
+    bool passesOn = false;      ///< dielectrics let rays of the largest depth go straight on; what is cut is counted
+    bool checkers = false;      ///< on materials in use
+    bool directional = false;   ///< lights without end
+    bool lightProfiles = false; ///< lights that are not equally strong in every direction and at every distance
+    bool cubemap = false, panorama = false, gradient = false; ///< at most one: else the background has one colour
+    bool linear = false;
     ShadowModel shadows = ShadowModel::Off;
     March march = March::Cone;
     bool fromLight = false; ///< shadow cones are marched from the light
@@ -55,7 +63,12 @@ struct SceneFeatures {
     bool dataBlock = false; ///< scene data in a uniform block, else in a texture
 
     int objects() const;
+    /// Conductors are told by their complex indices, not by what they reflect at normal incidence.
+    bool metals() const { return exactFresnel && conductors; }
     bool operator==(const SceneFeatures&) const = default;
 };
+
+/// Materials in use reflect or refract.
+inline bool reflects(const SceneFeatures& f) { return f.conductors || f.refraction || f.coats || f.mirrors; }
 
 } // namespace gnomon

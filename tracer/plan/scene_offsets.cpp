@@ -24,6 +24,11 @@ SceneOffsets offsetsOf(const SceneFeatures& features) {
     offsets.materials = take(features.materials * kMaterialTexels);
     offsets.lights = take(features.lights * kLightTexels);
     offsets.glows = take(features.glows * kGlowTexels);
+    offsets.metals = take(features.metals() ? features.materials * kMetalTexels : 0);
+    offsets.media = take(features.media > 0 ? features.media + 2 : 0);
+    offsets.checkers = take(features.checkers ? features.materials * kCheckerTexels : 0);
+    offsets.profiles = take(features.lightProfiles ? features.lights * kProfileTexels : 0);
+    offsets.gradient = take(features.gradient ? kGradientTexels : 0);
     offsets.end = texel;
     return offsets;
 }

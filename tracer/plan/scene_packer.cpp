@@ -23,7 +23,7 @@ glm::dvec3 normalReflectance(glm::dvec3 n, glm::dvec3 k) {
 struct Optics {
     glm::dvec3 f0{0};
     double ior = 0;
-    int kind = 0; ///< as kPlain … kCoat in shade/material.glsl
+    int kind = 0; ///< as kPlain … kMirror in shade/material.glsl
 };
 
 Optics opticsOf(const Material& material) {
@@ -32,7 +32,8 @@ Optics opticsOf(const Material& material) {
     if (const auto* dielectric = std::get_if<Dielectric>(&material.optics))
         return {normalReflectance(glm::dvec3(dielectric->ior), glm::dvec3(0)), dielectric->ior, 2};
     if (const auto* coat = std::get_if<Coat>(&material.optics))
-        return {normalReflectance(glm::dvec3(coat->ior), glm::dvec3(0)), 0, 3};
+        return {normalReflectance(glm::dvec3(coat->ior), glm::dvec3(0)), coat->ior, 3};
+    if (const auto* mirror = std::get_if<Mirror>(&material.optics)) return {mirror->reflectance, 0, 4};
     return {};
 }
 
@@ -61,11 +62,26 @@ void packMaterial(const Material& m, const TextureSet& textureSet, const Tiles& 
                 placement(m.normalMap, tile(tiles.normals, normal), time)});
 }
 
+bool isTriangle(ShapeKind kind) { return kind == ShapeKind::Triangle || kind == ShapeKind::SmoothTriangle; }
+
+/// From where a directional light comes: farther than any scene's coordinates tell in float32.
+constexpr double kFarAway = 1e12;
+
+/// {v, w} so that dot(v, direction) + w goes from 0, where a spot's light ends, to 1, where it is at full strength.
+glm::vec4 coneTexel(const Light& light) {
+    if (light.kind != LightKind::Spot) return {0, 0, 0, 1};
+    constexpr double kSharpest = 1e-6; // of a cosine: what float32 tells
+    const double end = std::cos(glm::radians(light.angle)),
+                 full = std::cos(glm::radians(light.angle * (1 - light.softness))),
+                 steepness = 1 / std::max(full - end, kSharpest);
+    return glm::vec4(steepness * light.direction, -steepness * end);
+}
+
 /// Of the box about all triangles. Rays are re-centred on it.
 glm::dvec3 middleOfTriangles(const std::vector<Shape>& shapes) {
     glm::dvec3 low(std::numeric_limits<double>::infinity()), high(-low);
     for (const Shape& shape : shapes)
-        for (int i = 0; shape.kind == ShapeKind::Triangle && i < 3; ++i) {
+        for (int i = 0; isTriangle(shape.kind) && i < 3; ++i) {
             low = glm::min(low, vertexOf(shape, i));
             high = glm::max(high, vertexOf(shape, i));
         }
@@ -97,11 +113,17 @@ std::span<const glm::vec4> ScenePacker::pack(const Plan& plan, double time, glm:
     texels_.clear();
     packShapes(eye - origin_);
     packSearches(plan.scene, glm::vec3(eye - origin_));
-    packObjects(plan.split);
+    packObjects(plan);
     for (const Material& material : prepared_->scene.materials)
         packMaterial(material, prepared_->textureSet, tiles_, time, texels_);
     packLights();
     if (plan.scene.glows > 0) packGlows();
+    if (plan.scene.metals()) packMetals();
+    if (plan.scene.media > 0) packMedia(eye - origin_);
+    if (plan.scene.checkers) packCheckers();
+    if (plan.scene.lightProfiles) packProfiles();
+    if (const auto& gradient = prepared_->scene.background.gradient)
+        texels_.insert(texels_.end(), {glm::vec4(gradient->bottom, 0), glm::vec4(gradient->top, 0)});
     assert(int(texels_.size()) == sceneTexels(plan.scene));
     return texels_;
 }
@@ -130,7 +152,8 @@ void ScenePacker::packShapes(glm::dvec3 eye) {
                 appendTexels(shape, texels_);
             } else {
                 appendShape(drawnAs(kind.kind, shape, eye), texels_);
-                if (kind.kind == ShapeKind::Triangle) setMiddle(middle, texels_);
+                if (isTriangle(kind.kind)) setMiddle(middle, texels_);
+                if (shape.corners) appendCorners(*shape.corners, texels_);
             }
         }
 }
@@ -154,20 +177,22 @@ void ScenePacker::packSearches(const SceneFeatures& features, glm::vec3 eye) {
     }
 }
 
-void ScenePacker::packObjects(const ScreenSplit& split) {
+void ScenePacker::packObjects(const Plan& plan) {
     const Scene& scene = prepared_->scene;
     for (std::size_t k = 0; k < prepared_->layout.size(); ++k)
         for (const int i : prepared_->layout[k].objects) {
             const int material = scene.objects[std::size_t(i)].material;
-            const bool discarded = split.fallsBack(k, scene.materials[std::size_t(material)]);
-            texels_.emplace_back(float(material), float(i), float(discarded), 0.0f);
+            const bool discarded = plan.split.fallsBack(k, scene.materials[std::size_t(material)]);
+            const int rank = plan.scene.media > 0 ? prepared_->media.ranks[std::size_t(i)] : 0;
+            texels_.emplace_back(float(material), float(i), float(discarded), float(rank));
         }
 }
 
 void ScenePacker::packLights() {
     for (const Light& light : prepared_->scene.lights) {
-        texels_.emplace_back(glm::vec4(light.position - origin_, light.radius));
-        texels_.emplace_back(glm::vec4(light.color, 0));
+        const bool far = light.kind == LightKind::Directional;
+        texels_.emplace_back(glm::vec4(far ? -kFarAway * light.direction : light.position - origin_, light.radius));
+        texels_.emplace_back(glm::vec4(light.color, light.falloff * light.falloff));
     }
 }
 
@@ -178,6 +203,40 @@ void ScenePacker::packGlows() {
             texels_.emplace_back(glm::vec4(pointOf(shapes_[i], "center"), glow->strength));
             texels_.emplace_back(glm::vec4(glow->color, glow->softness));
         }
+}
+
+/// Of every material, so that its number tells where: of others than conductors 1 + 0i.
+void ScenePacker::packMetals() {
+    for (const Material& material : prepared_->scene.materials) {
+        const auto* conductor = std::get_if<Conductor>(&material.optics);
+        const Conductor index = conductor ? *conductor : Conductor{};
+        texels_.insert(texels_.end(), {glm::vec4(index.n, 0), glm::vec4(index.k, 0)});
+    }
+}
+
+void ScenePacker::packMedia(glm::dvec3 eye) {
+    const Media& media = prepared_->media;
+    texels_.emplace_back(0.0f, 0.0f, 0.0f, 1.0f); // air
+    for (std::size_t rank = 1; rank < media.materials.size(); ++rank) {
+        const Material& material = prepared_->scene.materials[std::size_t(media.materials[rank])];
+        const auto& dielectric = std::get<Dielectric>(material.optics);
+        texels_.emplace_back(glm::vec4(dielectric.absorption, dielectric.ior));
+    }
+    texels_.emplace_back(glm::vec4(mediaAt(media, shapes_, glm::dvec3(glm::vec3(eye)))));
+}
+
+/// Of every material; white of those that have none.
+void ScenePacker::packCheckers() {
+    for (const Material& material : prepared_->scene.materials) {
+        const Checker white{{glm::dvec3(1), glm::dvec3(1)}, {0, 0}};
+        const Checker& checker = material.checker ? *material.checker : white;
+        texels_.emplace_back(glm::vec4(checker.colors[0], checker.scale.x));
+        texels_.emplace_back(glm::vec4(checker.colors[1], checker.scale.y));
+    }
+}
+
+void ScenePacker::packProfiles() {
+    for (const Light& light : prepared_->scene.lights) texels_.push_back(coneTexel(light));
 }
 
 std::vector<glm::vec4> packScene(PreparedScenePtr prepared, const Plan& plan, double time) {

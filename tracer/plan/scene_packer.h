@@ -39,9 +39,13 @@ class ScenePacker {
     std::vector<Shape> shapesAbout(double time) const;
     void packShapes(glm::dvec3 eye);
     void packSearches(const SceneFeatures&, glm::vec3 eye);
-    void packObjects(const ScreenSplit&);
+    void packObjects(const Plan&);
     void packLights();
     void packGlows();
+    void packMetals();
+    void packMedia(glm::dvec3 eye);
+    void packCheckers();
+    void packProfiles();
 
     PreparedScenePtr prepared_;
     glm::dvec3 origin_;

@@ -60,6 +60,12 @@ ShapeTexels packedShape(const Shape& shape) {
     return texels;
 }
 
+void appendCorners(const Corners& corners, std::vector<glm::vec4>& out) {
+    const auto& uv = corners.uv;
+    for (std::size_t i = 0; i < 3; ++i) out.emplace_back(glm::vec3(corners.normals[i]), float(uv[i].x));
+    out.emplace_back(float(uv[0].y), float(uv[1].y), float(uv[2].y), 0.0f);
+}
+
 void appendShape(const Shape& shape, std::vector<glm::vec4>& out) {
     const ShapeTexels texels = packedShape(shape);
     out.insert(out.end(), texels.begin(), texels.begin() + texelsOf(shape.kind));

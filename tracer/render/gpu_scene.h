@@ -18,7 +18,7 @@ class GpuScene {
     const SceneImages& images() const { return images_; }
 
     /// Brings all to the GPU that programs of this plan read for the view, and binds it.
-    void upload(const Plan&, const View&, const Pictures&, Problems&);
+    void upload(const Plan&, const View&, Pictures&, Problems&);
     /// Every object's shape as it was uploaded last, relative to the origin.
     const std::vector<Shape>& shapes() const { return packer_.shapes(); }
 

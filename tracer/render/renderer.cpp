@@ -2,6 +2,7 @@
 
 #include "tracer/clock.h"
 #include "tracer/plan/scene_offsets.h"
+#include "tracer/render/depth_cut.h"
 #include "tracer/render/pass/full_screen_passes.h"
 #include "tracer/render/pass/full_screen_table.h"
 #include "tracer/render/read_output.h"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <chrono>
 #include <thread>
+#include <utility>
 
 namespace gnomon {
 namespace {
@@ -47,11 +49,32 @@ bool fits(const PreparedScene& prepared, const Settings& settings, const gl::Inf
     return problems.size() == before;
 }
 
+/// Where shadows are not drawn as the settings say, since a light is at no distance.
+void tellOfDirectionalLight(const PreparedScene& prepared, const Plan& plan, const Settings& settings,
+                            Problems& problems) {
+    const auto tell = [&](const std::string& what, const std::string& remedy) {
+        problems.push_back({prepared.scene.file, 0, {}, what, remedy});
+    };
+    if (!plan.scene.directional) return;
+    const ShadowRow& wanted = shadowRow(settings.shadows);
+    std::string others;
+    for (const ShadowRow& row : kShadowModels)
+        if (row.parallel) others += (others.empty() ? "" : ", ") + std::string(row.key);
+    if (!wanted.parallel)
+        tell("the scene has a directional light, which --shadows=" + std::string(wanted.key) +
+                 " does not take: its shadows are hard",
+             "use one of: " + others);
+    if (wanted.cones && settings.coneOrigin == ConeOrigin::Light)
+        tell("the scene has a directional light, from which no shadow cone can start: they start at the surface",
+             "use --cone-origin=surface");
+}
+
 /// How to draw for the settings. A problem where scene data does not lie where the settings want it.
 Plan planFor(const PreparedScene& prepared, const Settings& settings, const gl::Info& info, bool overridden,
              Problems& problems) {
     Plan plan = splitPlanOf(prepared, settings, targetOf(info));
     if (overridden) plan.split = {}; // variants are of the library's own files
+    tellOfDirectionalLight(prepared, plan, settings, problems);
     const int texels = sceneTexels(plan.scene), room = plan.target.blockTexels;
     if (plan.scene.dataBlock && texels > room) {
         plan.scene.dataBlock = false;
@@ -81,6 +104,7 @@ struct Renderer::Impl {
     TracePass warm, coarse, fine;
     FullScreenPasses fullScreen;
     OutputReader reader;
+    DepthProbe depthProbe;
     unsigned version = 0, fineVersion = 0;
 
     Drawing wanted, drawn;
@@ -183,12 +207,14 @@ bool Renderer::setScene(const Scene& scene, Problems& problems) {
     return true;
 }
 
-void Renderer::setImage(const std::string& name, const Image& image) {
-    impl_->frame.pictures[name] = image;
+void Renderer::setImage(const std::string& name, Image image) {
+    impl_->frame.pictures.images[name] = std::move(image);
     ++impl_->version;
     for (const auto& scene : {impl_->wanted.scene, impl_->drawn.scene})
         if (scene) scene->images().arrived(name);
 }
+
+void Renderer::useImagesOnce() { impl_->frame.pictures.once = true; }
 
 void Renderer::configure(const Settings& settings) {
     const bool alike = planAlike(impl_->settings, settings) && passesAlike(impl_->settings, settings);
@@ -274,6 +300,10 @@ FloatImage Renderer::readOutput(const View& view, Problems& problems) {
 
 Image Renderer::readPicture(const View& view, Problems& problems) {
     return canDraw() ? impl_->reader.shown(impl_->drawn, view, impl_->frame, impl_->info, problems) : Image{};
+}
+
+std::string Renderer::depthCut(const View& view) {
+    return canDraw() ? messageOf(impl_->depthProbe.measure(impl_->drawn, view, impl_->frame)) : std::string{};
 }
 
 ProgramStats Renderer::stats() const { return impl_->drawn.trace.stats(); }

@@ -32,7 +32,9 @@ class Renderer {
 
     /// Takes a checked scene. False, with problems, where this GL cannot hold it; the old scene then stays.
     bool setScene(const Scene&, Problems&);
-    void setImage(const std::string& name, const Image&);
+    void setImage(const std::string& name, Image);
+    /// Images leave memory when they are on the GPU. Another scene or context has to be given them again.
+    void useImagesOnce();
 
     /// Other overrides from here on, as in the constructor. What draws goes on until the new program is ready.
     void replaceShaders(std::span<const ShaderFile> overrides);
@@ -70,6 +72,9 @@ class Renderer {
     FloatImage readOutput(const View&, Problems&);
     /// Draws what a window would show, and reads it back.
     Image readPicture(const View&, Problems&);
+    /// One line where the largest depth cuts more than 1 % of the picture's light: by how much, and which depth would
+    /// do. Else empty.
+    std::string depthCut(const View&);
 
     ProgramStats stats() const;        ///< of the programs that trace
     const std::string& source() const; ///< of the program that traces now

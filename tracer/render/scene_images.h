@@ -11,8 +11,11 @@
 
 namespace gnomon {
 
-/// What the host has given so far, by name: kept, so that a new context can be filled again.
-using Pictures = std::map<std::string, Image>;
+/// What the host has given so far.
+struct Pictures {
+    std::map<std::string, Image> images; ///< by name: kept, so that a new context can be filled again
+    bool once = false;                   ///< no context will: the texels are dropped once they are on the GPU
+};
 
 class SceneImages {
   public:
@@ -26,16 +29,21 @@ class SceneImages {
 
     /// Uploads what is not there as it should be, and binds all. Answers the tiles that paints and normals take where
     /// they are new. A problem where images are drawn smaller than they are.
-    std::optional<Tiles> bind(const Pictures&, Problems&);
+    std::optional<Tiles> bind(Pictures&, Problems&);
 
   private:
-    gl::Texture upload(std::vector<Image>, gl::Texels, std::vector<glm::vec2>& tiles, Problems&) const;
-    Tiles uploadLayers(const Pictures&, Problems&);
-    void uploadSky(const Pictures&);
+    gl::Texture upload(const std::vector<glm::ivec2>& sizes, const gl::ImageSource&, gl::Texels,
+                       std::vector<glm::vec2>& tiles, Problems&) const;
+    Tiles uploadLayers(Pictures&, Problems&);
+    void uploadCubemap(Pictures&);
+    void uploadPanorama(Pictures&, Problems&);
+    Image taken(Pictures&, const std::string& name, const Image& standIn);
+    void tellReduced(Problems&) const;
     gl::Texels coding() const;
 
     PreparedScenePtr prepared_;
     int maxSide_;
+    std::map<std::string, int> uses_; ///< of each image, in layers and sky, that are not uploaded yet
     gl::Texture paints_, normals_, sky_;
     bool layersStale_ = true, skyStale_ = true;
 };

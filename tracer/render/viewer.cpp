@@ -45,6 +45,7 @@ bool Viewer::setScene(Scene scene, Problems& problems) {
     scene_ = std::move(scene);
     moves_ = changesWithTime(scene_);
     hasScene_ = true;
+    depthTold_ = 0;
     placeCamera();
     if (again && userMoved) camera_.setPose(moved);
     configure();
@@ -62,7 +63,7 @@ void Viewer::placeCamera() {
     camera_.setPose(pose);
 }
 
-void Viewer::setImage(const std::string& name, const Image& image) { renderer_.setImage(name, image); }
+void Viewer::setImage(const std::string& name, Image image) { renderer_.setImage(name, std::move(image)); }
 
 bool Viewer::set(std::string_view key, std::string_view text, std::string_view source, Problems& problems) {
     const Settings before = settings_;
@@ -144,7 +145,16 @@ bool Viewer::frame(double now, unsigned framebuffer, Problems& problems) {
     if (!settings_.pause) settings_.time = std::fmod(settings_.time + seconds, kLastSecond);
     progress_ = renderer_.poll(problems);
     if (!hasScene_ || width_ == 0 || height_ == 0 || !renderer_.canDraw()) return false;
+    tellDepthCut();
     return drawFrame(now, framebuffer);
+}
+
+/// Once for a scene and a depth, when its programs draw.
+void Viewer::tellDepthCut() {
+    if (depthTold_ == settings_.depth || settings_.aov != Aov::Color || !progress_.ready()) return;
+    depthTold_ = settings_.depth;
+    const std::string cut = renderer_.depthCut(view());
+    if (!cut.empty()) report_(cut);
 }
 
 /// On a slow GPU one picture at a time, coarser while it moves; once it is still, the full one grows aside, band by

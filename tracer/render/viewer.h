@@ -25,7 +25,7 @@ class Viewer {
     /// fov hold for the first scene; a later one brings its own. The same scene again keeps the view where the user
     /// moved it.
     bool setScene(Scene, Problems&);
-    void setImage(const std::string& name, const Image&);
+    void setImage(const std::string& name, Image);
     const Scene& scene() const { return scene_; }
 
     /// One setting by name, as a panel or a script changes it. `eye`, `target`, `fov` and `time` act at once.
@@ -76,6 +76,7 @@ class Viewer {
     int sharpHeight() const;
     double refined() const;
     void countFrame(double now);
+    void tellDepthCut();
 
     Settings settings_;
     std::function<void(const std::string&)> report_;
@@ -87,6 +88,7 @@ class Viewer {
     Progress progress_;
     std::set<std::string> held_;
     bool hasScene_ = false;
+    int depthTold_ = 0; ///< at which what the scene's depth cuts has been looked at; 0: none
     int width_ = 0, height_ = 0;
     double lastFrame_ = -1, countFrom_ = -1, fps_ = 0;
     int counted_ = 0;

@@ -96,13 +96,61 @@ bool checkLength(const Place& place, Range range, std::string_view text) {
     return place.complain("a text of " + toString(length) + " characters", "use " + spelled(range) + " characters");
 }
 
-bool checkImageName(const Place& place, Range range, std::string_view text) {
-    const bool plain =
-        std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isalnum(c) || c == '_' || c == '-'; });
+/// A relative path without detours: below the scene's folder.
+bool staysInFolder(std::string_view path) {
+    for (std::size_t begin = 0; begin <= path.size();) {
+        const std::size_t end = std::min(path.find('/', begin), path.size());
+        const std::string_view part = path.substr(begin, end - begin);
+        if (part.empty() || part == "." || part == "..") return false;
+        begin = end + 1;
+    }
+    return true;
+}
+
+bool endsAsHdr(std::string_view name) {
+    constexpr std::string_view kEnding = ".hdr";
+    return name.size() >= kEnding.size() &&
+           std::equal(kEnding.begin(), kEnding.end(), name.end() - std::ptrdiff_t(kEnding.size()),
+                      [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+}
+
+bool checkImageName(const Place& place, ValueType type, std::string_view text) {
+    const auto refuse = [&](const char* remedy) {
+        return place.complain(inQuotes(text) + " is not an image's name", remedy);
+    };
+    const auto outlawed = [](unsigned char c) { return c < 0x20 || c == 0x7f || c == '\\'; };
+    if (!checkLength(place, kImageName, text)) return false;
+    if (std::any_of(text.begin(), text.end(), outlawed))
+        return refuse("use no control characters, and / between folders");
+    if (!staysInFolder(text))
+        return refuse("name a file in the scene's folder or below it: no / at the beginning, no . and .. as folders");
+    if (type != ValueType::Panorama && endsAsHdr(text))
+        return refuse("use a PNG or JPEG: only a background's image may be HDR");
+    return true;
+}
+
+/// One number stands for all three.
+bool checkScales(const Place& place, Range range, glm::dvec3& target) {
+    double number;
+    if (place.value.kind == Kind::Array) return checkVector(place, range, target);
+    if (place.value.kind != Kind::Number) return place.expect(Kind::Array, "a number or [x, y, z]");
+    if (!checkNumber(place, range, number)) return false;
+    target = glm::dvec3(number);
+    return true;
+}
+
+/// As the schema's pattern has it.
+bool checkFileName(const Place& place, Range range, std::string_view text) {
+    bool begins = true, plain = !text.empty() && text.back() != '/';
+    for (const char c : text) {
+        const bool letter = std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+        plain = plain && (letter || (!begins && (c == '/' || c == ' ' || c == '.' || c == '-')));
+        begins = c == '/';
+    }
     if (plain) return checkLength(place, range, text);
-    return place.complain(
-        inQuotes(text) + " is not an image's name",
-        "use letters, digits, - and _ only: the name of a file in the texture folder without extension");
+    return place.complain(inQuotes(text) + " is not a file beside the scene",
+                          "write its name, or FOLDER/NAME: letters, digits, blanks, . - and _, none of them "
+                          "beginning with a dot");
 }
 
 } // namespace
@@ -214,7 +262,9 @@ bool ObjectReader::read(std::string_view key, std::string& target) const {
     const Place place{*value, pathOf(key), *report_};
     if (!place.expect(Kind::String, "a string")) return false;
     if (field.type == ValueType::Text && !checkLength(place, field.range, value->text)) return false;
-    if (field.type == ValueType::Image && !checkImageName(place, field.range, value->text)) return false;
+    const bool image = field.type == ValueType::Image || field.type == ValueType::Panorama;
+    if (image && !checkImageName(place, field.type, value->text)) return false;
+    if (field.type == ValueType::File && !checkFileName(place, field.range, value->text)) return false;
     if (field.type == ValueType::Choice) {
         const auto& choices = field.choices;
         if (std::find(choices.begin(), choices.end(), value->text) == choices.end())
@@ -249,9 +299,23 @@ bool ObjectReader::read(std::string_view key, glm::dvec3& target) const {
     const Place place{*value, pathOf(key), *report_};
     switch (field.type) {
     case ValueType::Color: return checkColor(place, field.range, target);
+    case ValueType::Scales: return checkScales(place, field.range, target);
     case ValueType::Direction: return checkDirection(place, field.range, target);
     default: return checkVector(place, field.range, target);
     }
+}
+
+bool ObjectReader::read(std::string_view key, std::array<glm::dvec3, 2>& target) const {
+    const JsonValue* value = value_->find(key);
+    if (!value) return false;
+    const Place place{*value, pathOf(key), *report_};
+    const std::string example = "write [[r, g, b], [r, g, b]]";
+    if (!place.expect(Kind::Array, "a list of 2 colours", example)) return false;
+    if (const std::size_t found = value->children.size(); found != 2)
+        return place.complain("expected a list of 2 colours, found " + std::to_string(found) + " entries", example);
+    bool right = true;
+    for (std::size_t i = 0; i < 2; ++i) right &= checkColor(place.item(i), format_->find(key)->range, target[i]);
+    return right;
 }
 
 bool ObjectReader::read(std::string_view key, std::array<glm::dvec3, 3>& target) const {
@@ -278,7 +342,7 @@ std::optional<ObjectReader> ObjectReader::objectOrImage(std::string_view key, st
     if (!value || value->kind == Kind::Object) return object(key);
     const Place place{*value, pathOf(key), *report_};
     if (place.expect(Kind::String, "an image's name or an object with \"image\"") &&
-        checkImageName(place, kName, value->text))
+        checkImageName(place, ValueType::Image, value->text))
         image = value->text;
     return std::nullopt;
 }

@@ -1,7 +1,7 @@
 #include "tracer/scene/read_scene.h"
 
 #include "tracer/scene/object_reader.h"
-#include "tracer/scene/read_solid.h"
+#include "tracer/scene/read_objects.h"
 
 #include <algorithm>
 #include <map>
@@ -11,43 +11,13 @@ namespace gnomon {
 
 namespace {
 
-/// Names that stand for nothing: each is one problem, however often it stands in the file.
-class UnknownNames {
-  public:
-    void add(const std::string& name, int line, std::string path) {
-        const auto [at, isNew] = places_.emplace(name, int(all_.size()));
-        if (isNew)
-            all_.push_back({name, line, std::move(path)});
-        else
-            ++all_[std::size_t(at->second)].more;
-    }
-    /// In the order of the file.
-    void report(std::string_view what, const std::vector<std::string_view>& known, const char* remedy,
-                SceneReport& report) const {
-        for (const auto& [name, line, path, more] : all_) {
-            const std::string others =
-                more == 1 ? ", here and in another object" : ", here and in " + std::to_string(more) + " other objects";
-            report.add(line, path, "unknown " + std::string(what) + " " + inQuotes(name) + (more > 0 ? others : ""),
-                       report.suggest(name, known, remedy));
-        }
-    }
-
-  private:
-    struct Unknown {
-        std::string name;
-        int line;
-        std::string path;
-        int more = 0;
-    };
-    std::map<std::string, int> places_; ///< in `all_`
-    std::vector<Unknown> all_;
-};
-
 /// Reads the parts of one file into a scene. What a single value may be stands in the format tables; here stands what
 /// the parts mean together.
 class SceneReader {
   public:
-    explicit SceneReader(ProblemCounter& problems) : report_{problems} { scene_.file = problems.file(); }
+    SceneReader(ProblemCounter& problems, const SceneFiles& files) : report_{problems}, files_(files) {
+        scene_.file = problems.file();
+    }
 
     Scene read(const JsonValue& document);
 
@@ -59,40 +29,17 @@ class SceneReader {
     void readMaterial(const ObjectReader&, const std::string& name);
     void readOptics(const ObjectReader&, Material&);
     std::optional<TextureUse> readTexture(const ObjectReader&, std::string_view key);
-    void readObject(const ObjectReader&);
-    void readMaterialName(const ObjectReader&, Object&);
-    void readName(const ObjectReader&, Object&);
-    void readMotion(const ObjectReader&, Object&);
-    void readGlow(const ObjectReader&, Object&);
-    void resolveCentres();
-    void refuseCircles();
-
-    /// Where an object's motion names the object it moves around, until all names are known.
-    struct Centre {
-        int object;
-        std::string name;
-        int line;
-        std::string path;
-    };
 
     SceneReport report_;
+    const SceneFiles& files_;
     Scene scene_;
-    std::map<std::string, int> materials_, objects_; ///< by name
-    UnknownNames unknownMaterials_;
-    std::vector<Centre> centres_;
+    std::map<std::string, int> materials_; ///< by name
 };
 
 std::string stem(const std::string& file) {
     const std::size_t slash = file.find_last_of("/\\");
     const std::string name = slash == std::string::npos ? file : file.substr(slash + 1);
     return name.substr(0, name.rfind('.'));
-}
-
-std::vector<std::string_view> namesIn(const std::map<std::string, int>& table) {
-    std::vector<std::string_view> names;
-    for (const auto& [name, index] : table) names.push_back(name);
-    std::sort(names.begin(), names.end()); // messages must not depend on the order of a hash table
-    return names;
 }
 
 Material defaultMaterial() {
@@ -109,15 +56,18 @@ Scene SceneReader::read(const JsonValue& document) {
     root.read("description", scene_.description);
     std::string encoding;
     if (root.read("encoding", encoding)) scene_.encoding = encoding == "display" ? Encoding::Display : Encoding::Linear;
+    std::string fresnel;
+    if (root.read("fresnel", fresnel)) scene_.fresnel = fresnel == "schlick" ? Fresnel::Schlick : Fresnel::Exact;
+    std::string limit;
+    if (root.read("depth_limit", limit)) scene_.depthLimit = limit == "dark" ? DepthLimit::Dark : DepthLimit::Straight;
     if (const auto camera = root.object("camera")) readCamera(*camera);
     if (const auto background = root.object("background")) readBackground(*background);
     for (const auto& light : root.members("lights")) readLight(root.open("lights", light));
     scene_.materials.push_back(defaultMaterial());
     const bool named = readMaterials(root, document);
-    for (const auto& object : root.members("objects")) readObject(root.open("objects", object));
-    if (named) unknownMaterials_.report("material", namesIn(materials_), "define it under \"materials\"", report_);
-    resolveCentres();
-    refuseCircles();
+    ObjectsReader objects(root, scene_.materials, materials_, files_, report_);
+    scene_.objects = objects.read();
+    if (named) objects.reportUnknownMaterials();
     return std::move(scene_);
 }
 
@@ -151,6 +101,12 @@ void SceneReader::readCamera(const ObjectReader& camera) {
 void SceneReader::readBackground(const ObjectReader& background) {
     background.read("color", scene_.background.color);
     background.read("cubemap", scene_.background.cubemap);
+    background.read("image", scene_.background.image);
+    if (const auto gradient = background.object("gradient")) {
+        Gradient& target = scene_.background.gradient.emplace();
+        gradient->read("top", target.top);
+        gradient->read("bottom", target.bottom);
+    }
 }
 
 void SceneReader::readLight(const ObjectReader& reader) {
@@ -160,7 +116,21 @@ void SceneReader::readLight(const ObjectReader& reader) {
         sphere->read("center", light.position);
         sphere->read("radius", light.radius);
     }
+    if (const auto directional = reader.object("directional")) {
+        light.kind = LightKind::Directional;
+        directional->read("direction", light.direction);
+    }
+    if (const auto spot = reader.object("spot")) {
+        light.kind = LightKind::Spot;
+        spot->read("position", light.position);
+        spot->read("direction", light.direction);
+        spot->read("angle", light.angle);
+        spot->read("softness", light.softness);
+    }
     reader.read("color", light.color);
+    if (reader.read("falloff", light.falloff) && light.kind == LightKind::Directional)
+        report_.add(reader.lineOf("falloff"), reader.pathOf("falloff"),
+                    "a directional light is at no distance from which it could fall off", "remove \"falloff\"");
     scene_.lights.push_back(light);
 }
 
@@ -173,6 +143,11 @@ void SceneReader::readMaterial(const ObjectReader& reader, const std::string& na
     reader.read("emission", material.emission);
     reader.read("shininess", material.shininess);
     readOptics(reader, material);
+    if (const auto squares = reader.object("checker")) {
+        Checker& checker = material.checker.emplace();
+        squares->read("colors", checker.colors);
+        squares->read("scale", checker.scale);
+    }
     material.texture = readTexture(reader, "texture");
     material.normalMap = readTexture(reader, "normal_map");
     materials_.emplace(name, int(scene_.materials.size()));
@@ -189,6 +164,8 @@ void SceneReader::readOptics(const ObjectReader& material, Material& target) {
     if (const auto reader = material.object("dielectric")) {
         Dielectric dielectric;
         reader->read("ior", dielectric.ior);
+        reader->read("absorption", dielectric.absorption);
+        reader->read("priority", dielectric.priority);
         target.optics = dielectric;
     }
     if (const auto reader = material.object("coat")) {
@@ -197,6 +174,8 @@ void SceneReader::readOptics(const ObjectReader& material, Material& target) {
         reader->read("mask", coat.mask);
         target.optics = coat;
     }
+    Mirror mirror;
+    if (material.read("mirror", mirror.reflectance)) target.optics = mirror;
 }
 
 std::optional<TextureUse> SceneReader::readTexture(const ObjectReader& material, std::string_view key) {
@@ -210,105 +189,30 @@ std::optional<TextureUse> SceneReader::readTexture(const ObjectReader& material,
     return use;
 }
 
-void SceneReader::readObject(const ObjectReader& reader) {
-    Object object;
-    object.line = reader.line();
-    object.shape = readShape(reader, report_);
-    readName(reader, object);
-    readMaterialName(reader, object);
-    reader.read("casts_shadow", object.castsShadow);
-    readMotion(reader, object);
-    readGlow(reader, object);
-    scene_.objects.push_back(std::move(object));
-}
-
-void SceneReader::readName(const ObjectReader& object, Object& target) {
-    if (!object.read("name", target.name)) return;
-    const auto [first, isNew] = objects_.emplace(target.name, int(scene_.objects.size()));
-    if (!isNew)
-        report_.add(object.lineOf("name"), object.pathOf("name"),
-                    "the name " + inQuotes(target.name) + " is taken by objects[" + std::to_string(first->second) + "]",
-                    "use each name once");
-}
-
-void SceneReader::readMaterialName(const ObjectReader& object, Object& target) {
-    std::string name;
-    if (!object.read("material", name)) return;
-    const auto found = materials_.find(name);
-    if (found != materials_.end()) {
-        target.material = found->second;
-        return;
-    }
-    unknownMaterials_.add(name, object.lineOf("material"), object.pathOf("material"));
-}
-
-void SceneReader::readMotion(const ObjectReader& object, Object& target) {
-    const auto motion = object.object("motion");
-    const auto reader = motion ? motion->object("orbit") : std::nullopt;
-    if (!reader) return;
-    Orbit orbit;
-    reader->read("cos", orbit.cos);
-    reader->read("sin", orbit.sin);
-    reader->read("rate", orbit.rate);
-    target.motion = orbit;
-    std::string around;
-    if (reader->read("around", around))
-        centres_.push_back({int(scene_.objects.size()), around, reader->lineOf("around"), reader->pathOf("around")});
-}
-
-void SceneReader::readGlow(const ObjectReader& object, Object& target) {
-    const auto reader = object.object("glow");
-    if (!reader) return;
-    Glow glow;
-    reader->read("color", glow.color);
-    reader->read("strength", glow.strength);
-    reader->read("softness", glow.softness);
-    target.glow = glow;
-    if (target.shape.kind != ShapeKind::Sphere)
-        report_.add(reader->line(), reader->path(), "only spheres can glow", "remove \"glow\" or use a sphere");
-}
-
-void SceneReader::resolveCentres() {
-    UnknownNames unknown;
-    for (const Centre& centre : centres_) {
-        const auto found = objects_.find(centre.name);
-        if (found != objects_.end()) {
-            scene_.objects[std::size_t(centre.object)].motion->around = found->second;
-            continue;
-        }
-        unknown.add(centre.name, centre.line, centre.path);
-    }
-    unknown.report("object", namesIn(objects_), "give the object a \"name\"", report_);
-}
-
-/// Each circle is reported once, at the first of its objects that the file moves.
-void SceneReader::refuseCircles() {
-    enum class State : char { New, OnTheWay, Done };
-    std::vector<State> states(scene_.objects.size(), State::New);
-    const auto next = [&](int i) {
-        const auto& motion = scene_.objects[std::size_t(i)].motion;
-        return motion ? motion->around : -1;
-    };
-    for (const Centre& centre : centres_) {
-        int i = centre.object;
-        for (; i >= 0 && states[std::size_t(i)] == State::New; i = next(i)) states[std::size_t(i)] = State::OnTheWay;
-        if (i >= 0 && states[std::size_t(i)] == State::OnTheWay)
-            report_.add(centre.line, centre.path, inQuotes(centre.name) + " moves around itself in the end",
-                        "let one object of the circle rest, or move around none");
-        for (i = centre.object; i >= 0 && states[std::size_t(i)] == State::OnTheWay; i = next(i))
-            states[std::size_t(i)] = State::Done;
-    }
+void collectFiles(const JsonValue& value, std::vector<std::string>& files) {
+    const JsonValue* mesh = value.kind == JsonValue::Kind::Object ? value.find("mesh") : nullptr;
+    const JsonValue* file = mesh && mesh->kind == JsonValue::Kind::Object ? mesh->find("file") : nullptr;
+    if (file && std::find(files.begin(), files.end(), file->text) == files.end()) files.push_back(file->text);
+    for (const JsonValue& child : value.children) collectFiles(child, files);
 }
 
 } // namespace
 
-std::optional<Scene> readScene(std::string_view text, const std::string& file, Problems& problems) {
+std::optional<Scene> readScene(std::string_view text, const std::string& file, Problems& problems,
+                               const SceneFiles& files) {
     ProblemCounter counter(file, problems);
     const std::optional<JsonValue> document = parseJson(text, counter);
     if (!document) return std::nullopt;
-    Scene scene = SceneReader(counter).read(*document);
+    Scene scene = SceneReader(counter, files).read(*document);
     if (counter.count() > 0) return std::nullopt;
     return scene;
+}
+
+std::vector<std::string> filesOf(std::string_view text) {
+    Problems ignored;
+    std::vector<std::string> files;
+    if (const auto document = parseJson(text, "", ignored)) collectFiles(*document, files);
+    return files;
 }
 
 } // namespace gnomon

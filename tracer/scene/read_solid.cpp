@@ -1,5 +1,7 @@
 #include "tracer/scene/read_solid.h"
 
+#include "tracer/scene/affine.h"
+#include "tracer/scene/rotation.h"
 #include "tracer/scene/solid.h"
 
 #include <algorithm>
@@ -13,7 +15,8 @@ constexpr int kMostParts = 64;  ///< of a solid: each is code in the shader
 constexpr int kMostCopies = 64; ///< of a repetition that a point may be nearest to: each is an evaluation
 
 /// The fields of an analytic shape, as the shape table says.
-Shape readFields(const ObjectReader& reader, const ShapeRow& row, SceneReport& report) {
+Shape readFields(const ObjectReader& reader, const ShapeRow& key, SceneReport& report) {
+    const ShapeRow& row = writtenRow(key);
     Shape shape{row.kind, {}};
     for (const ShapeField& field : row.fields) {
         double* values = &shape.values[std::size_t(field.at)];
@@ -24,6 +27,7 @@ Shape readFields(const ObjectReader& reader, const ShapeRow& row, SceneReport& r
             reader.read(field.key, vectors);
         } else {
             reader.read(field.key, vectors[0]);
+            if (field.type == FieldType::Rotation) vectors[0] = rodriguesOf(rotationOfDegrees(vectors[0]));
         }
         for (int i = 0; i < 3 * vectorCount(field.type); ++i) values[i] = vectors[std::size_t(i / 3)][i % 3];
     }
@@ -31,10 +35,11 @@ Shape readFields(const ObjectReader& reader, const ShapeRow& row, SceneReport& r
         const auto [what, remedy] = row.check(shape);
         if (!what.empty()) report.add(reader.line(), reader.path(), what, remedy);
     }
-    return shape;
+    return simplest(shape);
 }
 
 SolidNode readNode(const ObjectReader&, SceneReport&);
+bool complete(const SolidNode&);
 
 /// What stands under "of".
 std::vector<SolidNode> readInner(const ObjectReader& reader, SceneReport& report) {
@@ -43,15 +48,19 @@ std::vector<SolidNode> readInner(const ObjectReader& reader, SceneReport& report
     return of;
 }
 
-void readRotation(const ObjectReader& reader, SolidNode& node) {
-    glm::dvec3 degrees{0};
-    if (!reader.read("rotate", degrees)) return;
-    const auto turn = [&](int axis) {
-        glm::dvec3 about{0};
-        about[axis] = 1;
-        return glm::angleAxis(glm::radians(degrees[axis]), about);
-    };
-    node.rotate = turn(2) * turn(1) * turn(0);
+/// `node` holds what is moved. Scaled unevenly it is no node of its own: its shapes are other ones.
+SolidNode readTransform(const ObjectReader& reader, SolidNode node, SceneReport& report) {
+    const Placement placement = readPlacement(reader);
+    const glm::dvec3 scale = placement.scale;
+    node.translate = placement.translate;
+    node.rotate = placement.rotate;
+    node.scale = scale.x;
+    if ((scale.x == scale.y && scale.y == scale.z) || !reader.sound() || !complete(node)) return node;
+    auto scaled = transformed(node.of[0], affineOf(scale, node.rotate, node.translate));
+    if (auto* result = std::get_if<SolidNode>(&scaled)) return std::move(*result);
+    const auto& [what, remedy] = std::get<Complaint>(scaled);
+    report.add(reader.lineOf("scale"), reader.pathOf("scale"), what, remedy);
+    return node;
 }
 
 void readCopies(const ObjectReader& reader, SolidNode& node, SceneReport& report) {
@@ -65,35 +74,31 @@ void readCopies(const ObjectReader& reader, SolidNode& node, SceneReport& report
     }
 }
 
-SolidNode readOperation(const ObjectReader& object, SolidOp op, SceneReport& report) {
+SolidNode readOperation(const ObjectReader& object, SolidOp op, double blend, SceneReport& report) {
     const std::string_view key = kSolidKeys[std::size_t(op)];
     SolidNode node;
     node.op = op;
     if (op < SolidOp::Offset) {
         for (const auto& member : object.members(key)) node.of.push_back(readNode(object.open(key, member), report));
-        node.amount = 0.25;
-        object.read("blend", node.amount);
+        node.amount = blend;
         return node;
     }
     const auto reader = object.object(key);
     node.of = readInner(*reader, report);
     switch (op) {
     case SolidOp::Offset: reader->read("by", node.amount); break;
-    case SolidOp::Transform:
-        reader->read("translate", node.translate);
-        readRotation(*reader, node);
-        reader->read("scale", node.scale);
-        break;
+    case SolidOp::Transform: return readTransform(*reader, std::move(node), report);
     default: readCopies(*reader, node, report); break;
     }
     return node;
 }
 
 SolidNode readNode(const ObjectReader& object, SceneReport& report) {
+    const double blend = readBlend(object);
     for (const ShapeRow& row : shapeTable())
         if (const auto reader = object.object(row.key)) return {SolidOp::Shape, readFields(*reader, row, report)};
     for (std::size_t op = 1; op < kSolidKeys.size(); ++op)
-        if (object.has(kSolidKeys[op])) return readOperation(object, SolidOp(op), report);
+        if (object.has(kSolidKeys[op])) return readOperation(object, SolidOp(op), blend, report);
     return {};
 }
 
@@ -143,7 +148,7 @@ void addRanges(const SolidNode& node, double scale, double moved, Ranges& ranges
 }
 
 /// What keeps the solid from being drawn, and what to do about it; empty where nothing does.
-std::pair<std::string, std::string> outOfRange(const SolidNode& node) {
+Complaint outOfRange(const SolidNode& node) {
     constexpr double kMostScale = 1e6, kMostReach = 1e10; // squares and products of them stay inside float32
     Ranges ranges;
     addRanges(node, 1, 0, ranges);
@@ -159,31 +164,46 @@ std::pair<std::string, std::string> outOfRange(const SolidNode& node) {
 
 } // namespace
 
+double readBlend(const ObjectReader& object) {
+    double blend = 0.25;
+    object.read("blend", blend);
+    return blend;
+}
+
+Placement readPlacement(const ObjectReader& reader) {
+    Placement placement;
+    glm::dvec3 degrees{0};
+    reader.read("scale", placement.scale);
+    if (reader.read("rotate", degrees)) placement.rotate = rotationOfDegrees(degrees);
+    reader.read("translate", placement.translate);
+    return placement;
+}
+
+Complaint complaintOf(const SolidNode& node) {
+    if (const int parts = partsOf(node); parts > kMostParts)
+        return {"a solid of " + std::to_string(parts) + " parts",
+                "use at most " + std::to_string(kMostParts) + ", or several objects"};
+    if (const SolidNode* dense = denseRepetition(node)) {
+        const glm::ivec3 window = copiesAbout(*dense);
+        return {"copies that reach over " + std::to_string(window.x) + " x " + std::to_string(window.y) + " x " +
+                    std::to_string(window.z) + " of one another",
+                "use a longer period or a smaller part: at most " + std::to_string(kMostCopies) + " may meet"};
+    }
+    if (Complaint range = outOfRange(node); !range[0].empty()) return range;
+    if (extentOf(node)) return {};
+    return {"the solid has no end",
+            "intersect its plane with something that has, or make the plane an object of its own"};
+}
+
 Shape readShape(const ObjectReader& object, SceneReport& report) {
     const SolidNode node = readNode(object, report);
     const bool analytic = node.op == SolidOp::Shape && node.shape.kind != ShapeKind::Mandelbulb;
     if (analytic || !object.sound() || !complete(node)) return node.shape;
-    if (const int parts = partsOf(node); parts > kMostParts) {
-        report.add(object.line(), object.path(), "a solid of " + std::to_string(parts) + " parts",
-                   "use at most " + std::to_string(kMostParts) + ", or several objects");
-        return {};
-    }
-    if (const SolidNode* dense = denseRepetition(node)) {
-        const glm::ivec3 window = copiesAbout(*dense);
-        report.add(object.line(), object.path(),
-                   "copies that reach over " + std::to_string(window.x) + " x " + std::to_string(window.y) + " x " +
-                       std::to_string(window.z) + " of one another",
-                   "use a longer period or a smaller part: at most " + std::to_string(kMostCopies) + " may meet");
-        return {};
-    }
-    if (const auto [what, remedy] = outOfRange(node); !what.empty()) {
+    if (const auto [what, remedy] = complaintOf(node); !what.empty()) {
         report.add(object.line(), object.path(), what, remedy);
         return {};
     }
-    if (auto shape = shapeOf(node)) return *shape;
-    report.add(object.line(), object.path(), "the solid has no end",
-               "intersect its plane with something that has, or make the plane an object of its own");
-    return {};
+    return *shapeOf(node);
 }
 
 } // namespace gnomon

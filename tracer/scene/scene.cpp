@@ -58,7 +58,7 @@ std::vector<Shape> placed(const Scene& scene, Swing swing) {
 
 bool Material::showsImages() const {
     const auto* coat = std::get_if<Coat>(&optics);
-    return texture || normalMap || (coat && !coat->mask.empty());
+    return texture || normalMap || checker || (coat && !coat->mask.empty());
 }
 
 std::vector<Shape> shapesAt(const Scene& scene, double time) {
@@ -83,6 +83,7 @@ std::vector<std::string> imagesOf(const Scene& scene) {
     if (!scene.background.cubemap.empty())
         for (const char* face : {"-px", "-nx", "-py", "-ny", "-pz", "-nz"})
             addOnce(names, scene.background.cubemap + face);
+    addOnce(names, scene.background.image);
     for (const Material& material : scene.materials) {
         if (material.texture) addOnce(names, material.texture->image);
         if (material.normalMap) addOnce(names, material.normalMap->image);

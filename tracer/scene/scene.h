@@ -23,7 +23,7 @@ struct CameraPose {
 
 /// How an image lies on a surface: texel coordinate = uv * scale + scroll * time, repeated.
 struct TextureUse {
-    std::string image; ///< name of a PNG in the texture folder, without extension
+    std::string image; ///< its name: native/file/asset_folder.h finds the file
     glm::dvec2 scale{1, 1};
     glm::dvec2 scroll{0, 0}; ///< per second
 };
@@ -34,7 +34,9 @@ struct Conductor {
 };
 /// Clear body: reflects and refracts.
 struct Dielectric {
-    double ior = 1.5;
+    double ior = 1.5;         ///< absolute: air has 1, whatever the body lies in
+    glm::dvec3 absorption{0}; ///< Beer-Lambert: exp(-absorption * length) of the light is left
+    double priority = 0;      ///< of the bodies that a point lies in the one of highest priority is its medium
 };
 /// Clear layer over the surface's own colour: reflects by its index, does not refract.
 struct Coat {
@@ -42,11 +44,23 @@ struct Coat {
     std::string mask; ///< image whose red channel scales the reflection; empty: everywhere. Uses the texture's uv
 };
 
+/// Reflects the same fraction at every angle.
+struct Mirror {
+    glm::dvec3 reflectance{1};
+};
+
+/// Two colours in turn, in squares of the surface's texture coordinates: 1 / scale wide, from uv = 0 on.
+struct Checker {
+    std::array<glm::dvec3, 2> colors{glm::dvec3(1), glm::dvec3(0)};
+    glm::dvec2 scale{1, 1};
+};
+
 struct Material {
     std::string name;
     glm::dvec3 ambient{0}, diffuse{0}, specular{0}, emission{0};
     double shininess = 1;
-    std::variant<std::monostate, Conductor, Dielectric, Coat> optics;
+    std::variant<std::monostate, Conductor, Dielectric, Coat, Mirror> optics;
+    std::optional<Checker> checker;      ///< multiplies as a texture does
     std::optional<TextureUse> texture;   ///< multiplies ambient, diffuse and emission of its own surface
     std::optional<TextureUse> normalMap; ///< tangent space, green towards the image's top
 
@@ -80,27 +94,51 @@ struct Object {
     int line = 0;             ///< in the scene file
 };
 
-/// A sphere that shines, equally strong at every distance; a point where its radius is 0. It is itself no object:
-/// nothing is seen of it and it hides nothing.
-struct Light {
-    glm::dvec3 position{0};
-    double radius = 0;
-    glm::dvec3 color{1};
+enum class LightKind {
+    Sphere,      ///< a point where its radius is 0
+    Directional, ///< so far away that its light is parallel
+    Spot         ///< a point that lights a cone
 };
 
-/// Cube map by name: faces NAME-px, -nx, -py, -ny, -pz, -nz; or one colour.
+/// A light is itself no object: nothing is seen of it and it hides nothing.
+struct Light {
+    glm::dvec3 position{0}; ///< not of a directional one
+    double radius = 0;
+    glm::dvec3 color{1};
+    LightKind kind = LightKind::Sphere;
+    glm::dvec3 direction{0, -1, 0}; ///< unit, in which a directional light or a spot shines
+    double angle = 30;              ///< of a spot: from its axis to where its light ends, in degrees
+    double softness = 0;            ///< of a spot: the part of that angle over which its light fades
+    double falloff = 0;             ///< distance at which it is as strong as `color` says, by its square; 0: at every
+};
+
+/// From straight down to straight up; between, by the y of the direction.
+struct Gradient {
+    glm::dvec3 top{0}, bottom{0};
+};
+
+/// What rays see that hit nothing: one colour, or else one of the others.
 struct Background {
     glm::dvec3 color{0};
-    std::string cubemap;
+    std::string cubemap; ///< NAME of six images, of which NAME-px lies towards −x (docs/scenes.md)
+    std::string image;   ///< all around: columns are longitude, −z in the middle; rows latitude, +y first
+    std::optional<Gradient> gradient;
 };
 
 enum class Encoding { Linear, Display };
+
+/// How reflectance follows from refractive indices: by the Fresnel equations, or by Schlick's approximation of them.
+enum class Fresnel { Exact, Schlick };
+/// What a dielectric does with a ray of the largest depth: lets it go straight on, or ends it, as S1 does.
+enum class DepthLimit { Straight, Dark };
 
 struct Scene {
     std::string name, file, title, description;
     CameraPose camera;
     Background background;
     Encoding encoding = Encoding::Linear;
+    Fresnel fresnel = Fresnel::Exact;
+    DepthLimit depthLimit = DepthLimit::Straight;
     std::vector<Light> lights;
     std::vector<Material> materials; ///< [0] is the default grey
     std::vector<Object> objects;     ///< in file order: the `object` output is an index into this

@@ -15,16 +15,24 @@ constexpr Range kAny{0, 0};
 constexpr Range kCoordinate{-1e6, 1e6};
 constexpr Range kLength{1e-6, 1e6};
 constexpr Range kColor{0, 1000};
+constexpr Range kReflectance{0, 1};
 constexpr Range kShininess{1, 10000};
 constexpr Range kIor{1, 4};
+constexpr Range kBodyIor{0.05, 4};
+constexpr Range kAbsorption{0, 1000};
+constexpr Range kPriority{-1000, 1000};
 constexpr Range kComplexIndex{0, 20};
-constexpr Range kFov{1, 170};
+constexpr Range kFov{0.001, 170};
 constexpr Range kRate{-1000, 1000};
 constexpr Range kTexelScale{-1000, 1000};
+constexpr Range kSpotAngle{1, 90};
+constexpr Range kPart{0, 1};
 constexpr Range kGlow{1e-6, 1000};
 constexpr Range kTitle{0, 200};
 constexpr Range kDescription{0, 4000};
-constexpr Range kObjects{1, 20000};
+constexpr Range kObjects{1, kMostObjects};
+constexpr Range kDefinitions{0, 256};
+constexpr Range kFile{1, 200};
 constexpr Range kParts{1, 64};
 constexpr Range kOffset{-1e6, 1e6};
 constexpr Range kDegrees{-360, 360};
@@ -45,42 +53,78 @@ const ObjectFormat& cameraFormat() {
     return format;
 }
 
+const ObjectFormat& gradientFormat() {
+    static const ObjectFormat format{
+        "From one colour straight down to another straight up: bottom + (top - bottom) (1 + y) / 2 in direction y",
+        {{"top", Color, kColor, "Straight up", true}, {"bottom", Color, kColor, "Straight down", true}}};
+    return format;
+}
+
 const ObjectFormat& backgroundFormat() {
     static const ObjectFormat format{
         "What rays see that hit nothing; default black",
         {{"color", Color, kColor, "The same colour everywhere"},
-         {"cubemap", Image, kName, "Six images NAME-px, NAME-nx, NAME-py, NAME-ny, NAME-pz, NAME-nz"}},
-        {{"background", {"color", "cubemap"}, true}}};
+         {"gradient", Object, kAny, "From one colour to another", false, &gradientFormat()},
+         {"image", Panorama, kImageName,
+          "An image all around, equirectangular: -z in the middle, +x on its right, +y at the top"},
+         {"cubemap", Image, kImageName,
+          "Six images NAME-px, NAME-nx, NAME-py, NAME-ny, NAME-pz, NAME-nz, as seen from within; those of z and y lie "
+          "towards +z, -z, +y, -y, NAME-px lies towards -x and NAME-nx towards +x"}},
+        {{"background", {"color", "gradient", "image", "cubemap"}, true}}};
     return format;
 }
 
 const ObjectFormat& pointLightFormat() {
-    static const ObjectFormat format{"Light from one point, equally strong at every distance",
+    static const ObjectFormat format{"Light from one point",
                                      {{"position", Vector, kCoordinate, "Where the light is", true}}};
     return format;
 }
 
 const ObjectFormat& sphereLightFormat() {
     static const ObjectFormat format{
-        "Light from a sphere that is not seen itself, equally strong at every distance",
+        "Light from a sphere that is not seen itself",
         {{"center", Vector, kCoordinate, "Its centre", true},
          {"radius", Number, kLength, "Its radius: the larger, the softer shadows are", true}}};
     return format;
 }
 
+const ObjectFormat& directionalLightFormat() {
+    static const ObjectFormat format{
+        "Parallel light from far away",
+        {{"direction", Direction, kCoordinate, "In which it shines: from the light to the scene", true}}};
+    return format;
+}
+
+const ObjectFormat& spotLightFormat() {
+    static const ObjectFormat format{
+        "Light from one point that is kept within a cone",
+        {{"position", Vector, kCoordinate, "Where the light is", true},
+         {"direction", Direction, kCoordinate, "Along the cone's axis, away from the light", true},
+         {"angle", Number, kSpotAngle, "From the axis to where the light ends, in degrees; default 30"},
+         {"softness", Number, kPart, "The part of the angle over which the light fades to its end; default 0"}}};
+    return format;
+}
+
 const ObjectFormat& lightFormat() {
-    static const ObjectFormat format{"A light",
-                                     {{"point", Object, kAny, "Light from one point", false, &pointLightFormat()},
-                                      {"sphere", Object, kAny, "Light from a sphere", false, &sphereLightFormat()},
-                                      {"color", Color, kColor, "Colour and strength; default [1, 1, 1]"}},
-                                     {{"light kind", {"point", "sphere"}, true}}};
+    static const ObjectFormat format{
+        "A light",
+        {{"point", Object, kAny, "Light from one point", false, &pointLightFormat()},
+         {"sphere", Object, kAny, "Light from a sphere", false, &sphereLightFormat()},
+         {"directional", Object, kAny, "Light from far away", false, &directionalLightFormat()},
+         {"spot", Object, kAny, "A cone of light", false, &spotLightFormat()},
+         {"color", Color, kColor, "Colour and strength; default [1, 1, 1]"},
+         {"falloff", Number, kLength,
+          "Distance at which the light is as strong as its colour says; it falls with the square of the distance. "
+          "Default: equally strong at every distance"}},
+        {{"light kind", {"point", "sphere", "directional", "spot"}, true}}};
     return format;
 }
 
 const ObjectFormat& textureFormat() {
     static const ObjectFormat format{
         "How an image lies on a surface: texel coordinate = uv * scale + scroll * time, repeated",
-        {{"image", Image, kName, "Name of a PNG in the texture folder, without extension", true},
+        {{"image", Image, kImageName,
+          "Name of a PNG or JPEG beside the scene or in the texture folder, with or without extension", true},
          {"scale", Scale, kTexelScale, "Repetitions over the surface's uv; default 1"},
          {"scroll", Pair, kTexelScale, "Motion of the texel coordinate per second; default [0, 0]"}}};
     return format;
@@ -95,8 +139,12 @@ const ObjectFormat& conductorFormat() {
 }
 
 const ObjectFormat& dielectricFormat() {
-    static const ObjectFormat format{"A clear body: reflects and refracts",
-                                     {{"ior", Number, kIor, "Refractive index", true}}};
+    static const ObjectFormat format{
+        "A clear body: reflects and refracts",
+        {{"ior", Number, kBodyIor, "Refractive index, absolute: air has 1, inside of other bodies too", true},
+         {"absorption", Color, kAbsorption, "Of the light exp(-absorption * length) is left; default 0"},
+         {"priority", Number, kPriority,
+          "Where bodies overlap the one of highest priority counts, of equals the smaller; default 0"}}};
     return format;
 }
 
@@ -104,7 +152,15 @@ const ObjectFormat& coatFormat() {
     static const ObjectFormat format{
         "A clear layer over the surface's own colour: reflects, does not refract",
         {{"ior", Number, kIor, "Refractive index", true},
-         {"mask", Image, kName, "Image whose red channel scales the reflection; default: everywhere"}}};
+         {"mask", Image, kImageName, "Image whose red channel scales the reflection; default: everywhere"}}};
+    return format;
+}
+
+const ObjectFormat& checkerFormat() {
+    static const ObjectFormat format{
+        "Two colours in turn, in squares of the surface's texture coordinates",
+        {{"colors", Colors, kColor, "Of the square from uv = 0 on, and of those beside it", true},
+         {"scale", Scale, kTexelScale, "Squares over one unit of the surface's uv; default 1"}}};
     return format;
 }
 
@@ -119,10 +175,12 @@ const ObjectFormat& materialFormat() {
          {"conductor", Object, kAny, "Mirror of a metal", false, &conductorFormat()},
          {"dielectric", Object, kAny, "Clear as glass", false, &dielectricFormat()},
          {"coat", Object, kAny, "Clear layer, as varnish or water", false, &coatFormat()},
+         {"mirror", Color, kReflectance, "Fraction that it reflects at every angle"},
+         {"checker", Object, kAny, "Squares that multiply ambient, diffuse and emission", false, &checkerFormat()},
          {"texture", ImageOrObject, kAny, "Image that multiplies ambient, diffuse and emission", false,
           &textureFormat()},
          {"normal_map", ImageOrObject, kAny, "Tangent space normals, green towards +v", false, &textureFormat()}},
-        {{"optics", {"conductor", "dielectric", "coat"}, false}}};
+        {{"optics", {"conductor", "dielectric", "coat", "mirror"}, false}}};
     return format;
 }
 
@@ -157,7 +215,8 @@ ValueType valueType(FieldType type) {
     case FieldType::Direction: return Direction;
     case FieldType::Length:
     case FieldType::Scalar: return Number;
-    case FieldType::Lengths: return Vector;
+    case FieldType::Lengths:
+    case FieldType::Rotation: return Vector;
     case FieldType::Vertices: return Vertices;
     }
     return Ignored;
@@ -168,10 +227,9 @@ const ObjectFormat& shapeFormat(const ShapeRow& row) {
         std::vector<ObjectFormat> all;
         for (const ShapeRow& shape : shapeTable()) {
             ObjectFormat& format = all.emplace_back();
-            for (const ShapeField& field : shape.fields) {
-                const bool length = field.type == FieldType::Length || field.type == FieldType::Lengths;
-                const Range range = length ? kLength : field.type == FieldType::Scalar ? field.scalar : kCoordinate;
-                format.fields.push_back({field.key, valueType(field.type), range, field.help, true});
+            for (const ShapeField& field : writtenRow(shape).fields) {
+                const bool required = field.type != FieldType::Rotation;
+                format.fields.push_back({field.key, valueType(field.type), limitsOf(field), field.help, required});
             }
         }
         return all;
@@ -192,7 +250,7 @@ const ObjectFormat& transformFormat() {
     static const ObjectFormat format{
         "A solid scaled, turned and moved, in this order",
         {{"of", Object, kAny, "What is moved", true, &partFormat()},
-         {"scale", Number, kScale, "Factor of all lengths; default 1"},
+         {"scale", Scales, kScale, "Factor of all lengths, or [x, y, z]; default 1"},
          {"rotate", Vector, kDegrees, "Degrees about x, then y, then z; default [0, 0, 0]"},
          {"translate", Vector, kCoordinate, "Default [0, 0, 0]"}}};
     return format;
@@ -237,24 +295,84 @@ const ObjectFormat& partFormat() {
     return format;
 }
 
-const ObjectFormat& objectFormat() {
+const ObjectFormat& objectFormat();
+
+/// Where a group or an instance stands: the same three keys in both.
+void addPlacement(ObjectFormat& format) {
+    for (const FieldFormat& field : {
+             FieldFormat{"scale", Scales, kScale, "Factor of all lengths, or [x, y, z]; default 1"},
+             FieldFormat{"rotate", Vector, kDegrees, "Degrees about x, then y, then z; default [0, 0, 0]"},
+             FieldFormat{"translate", Vector, kCoordinate, "Default [0, 0, 0]"},
+         })
+        format.fields.push_back(field);
+}
+
+const ObjectFormat& groupFormat() {
     static const ObjectFormat format = [] {
-        ObjectFormat object{"One shape or solid with its material", {}};
-        addShapes(object);
-        for (const FieldFormat& field : {
-                 FieldFormat{"name", Text, kName, "For messages and for other objects to move around; unique"},
-                 FieldFormat{"material", Text, kName, "Name of a material of this file; default: a plain grey"},
-                 FieldFormat{"casts_shadow", Boolean, kAny, "Whether it stands in the way of light; default true"},
-                 FieldFormat{"motion", Object, kAny, "Default: at rest", false, &motionFormat()},
-                 FieldFormat{"glow", Object, kAny, "Spheres only; default: none", false, &glowFormat()},
-             })
-            object.fields.push_back(field);
-        return object;
+        ObjectFormat group{"Objects scaled, rotated and moved together, in this order",
+                           {{"of", List, kObjects, "The objects, which may be groups", true, &objectFormat()}}};
+        addPlacement(group);
+        return group;
     }();
     return format;
 }
 
+const ObjectFormat& instanceFormat() {
+    static const ObjectFormat format = [] {
+        ObjectFormat instance{"What stands under a name in \"definitions\", scaled, rotated and moved, in this order",
+                              {{"of", Text, kName, "The name", true}}};
+        addPlacement(instance);
+        return instance;
+    }();
+    return format;
+}
+
+const ObjectFormat& meshFormat() {
+    static const ObjectFormat format{
+        "The triangles of a Wavefront OBJ file",
+        {{"file", File, kFile, "The file, beside the scene or in a folder beside it", true},
+         {"smooth", Boolean, kAny, "Normals from the file, or from the faces about each vertex; default true"}}};
+    return format;
+}
+
+/// An object refers to itself within groups, so the schema needs its name.
+const ObjectFormat& objectFormat() {
+    static ObjectFormat format{"One shape, solid, group, instance or mesh, with its material", {}, {}, "object"};
+    static bool complete = false;
+    if (complete) return format;
+    complete = true;
+    addShapes(format);
+    for (const FieldFormat& field : {
+             FieldFormat{"group", Object, kAny, "Objects moved together", false, &groupFormat()},
+             FieldFormat{"instance", Object, kAny, "What \"definitions\" has under a name", false, &instanceFormat()},
+             FieldFormat{"mesh", Object, kAny, "Triangles from a file", false, &meshFormat()},
+         }) {
+        format.fields.push_back(field);
+        format.alternatives.front().keys.push_back(field.key);
+    }
+    for (const FieldFormat& field : {
+             FieldFormat{"name", Text, kName, "For messages and for other objects to move around; unique"},
+             FieldFormat{"material", Text, kName,
+                         "Name of a material of this file; default: that of the group around it, else a plain grey"},
+             FieldFormat{"casts_shadow", Boolean, kAny, "Whether it stands in the way of light; default true"},
+             FieldFormat{"motion", Object, kAny, "Default: at rest, or as the group around it", false, &motionFormat()},
+             FieldFormat{"glow", Object, kAny, "Spheres only; default: none", false, &glowFormat()},
+         })
+        format.fields.push_back(field);
+    return format;
+}
+
 } // namespace
+
+Range limitsOf(const ShapeField& field) {
+    switch (field.type) {
+    case FieldType::Length:
+    case FieldType::Lengths: return kLength;
+    case FieldType::Scalar: return field.scalar;
+    case FieldType::Rotation: return kDegrees;
+    default: return kCoordinate;
+    }
+}
 
 const FieldFormat* ObjectFormat::find(std::string_view key) const {
     const auto field = std::find_if(fields.begin(), fields.end(), [&](const FieldFormat& f) { return f.key == key; });
@@ -272,10 +390,19 @@ const ObjectFormat& sceneFormat() {
           "linear: colours are linear light and the picture is sRGB-encoded; display: colours are display values as "
           "they are; default linear",
           false, nullptr, {"linear", "display"}},
+         {"fresnel", Choice, kAny,
+          "exact: materials reflect by the Fresnel equations; schlick: by Schlick's approximation; default exact",
+          false, nullptr, {"exact", "schlick"}},
+         {"depth_limit", Choice, kAny,
+          "What dielectrics do with rays of the largest depth: straight lets them go on unbent, dark ends them; "
+          "default straight",
+          false, nullptr, {"straight", "dark"}},
          {"camera", Object, kAny, "Where the picture is taken from", false, &cameraFormat()},
          {"background", Object, kAny, "What rays see that hit nothing; default black", false, &backgroundFormat()},
          {"lights", List, kLights, "Lights; default none", false, &lightFormat()},
          {"materials", Map, kMaterials, "Materials by name", false, &materialFormat()},
+         {"definitions", Map, kDefinitions, "Objects by name, drawn where an instance places them", false,
+          &objectFormat()},
          {"objects", List, kObjects, "What is drawn", true, &objectFormat()}}};
     return format;
 }

@@ -18,9 +18,13 @@ enum class ValueType {
     Vector,    ///< [x, y, z]
     Direction, ///< [x, y, z], not all zero
     Color,     ///< one number or [r, g, b]
+    Colors,    ///< two of these
     Vertices,  ///< three [x, y, z]
     Text,      ///< `range` characters
-    Image,     ///< an image's name: letters, digits, _ and -; `range` characters
+    Image,     ///< an image's name: a file in the scene's folder or below; `range` characters
+    Panorama,  ///< the same, which may hold light beyond white
+    File,      ///< a path from the scene's own folder downwards; `range` characters
+    Scales,    ///< one number or [x, y, z], each within `range`
     Choice,    ///< one of `choices`
     Object,    ///< of `format`
     ImageOrObject,
@@ -57,7 +61,14 @@ struct ObjectFormat {
     const FieldFormat* find(std::string_view key) const;
 };
 
-inline constexpr Range kName{1, 64}; ///< characters of a name
+inline constexpr Range kName{1, 64};       ///< characters of a name
+inline constexpr Range kImageName{1, 200}; ///< and of an image's
+
+/// Objects in all: of a scene after groups and instances are taken apart and meshes are read.
+inline constexpr int kMostObjects = 80000;
+
+/// What the values of a shape's field may be.
+Range limitsOf(const ShapeField&);
 
 /// The whole file.
 const ObjectFormat& sceneFormat();

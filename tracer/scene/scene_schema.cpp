@@ -24,9 +24,18 @@ Json textSchema(Range range) {
     return {{"type", "string"}, {"minLength", int(range.min)}, {"maxLength", int(range.max)}};
 }
 
-Json imageSchema(Range range) {
+/// Folders and a file, none of them empty, `.` or `..`; no backslash and no control character.
+Json imageSchema(ValueType type) {
+    const std::string path = R"(^(?!\.{0,2}(/|$))(?!.*/\.{0,2}(/|$)))", noHdr = R"((?!.*\.[hH][dD][rR]$))";
+    Json schema = textSchema(kImageName);
+    schema["pattern"] = path + (type == ValueType::Panorama ? "" : noHdr) + R"([^\\\x00-\x1f\x7f]+$)";
+    return schema;
+}
+
+/// No name in the path begins with a dot, so that it leads nowhere but downwards.
+Json fileSchema(Range range) {
     Json schema = textSchema(range);
-    schema["pattern"] = "^[A-Za-z0-9_-]+$";
+    schema["pattern"] = "^[A-Za-z0-9_][A-Za-z0-9_ .-]*(/[A-Za-z0-9_][A-Za-z0-9_ .-]*)*$";
     return schema;
 }
 
@@ -63,12 +72,16 @@ Json valueSchema(const FieldFormat& field) {
     case ValueType::Vector: return tupleSchema(number, 3);
     case ValueType::Direction: return directionSchema(field.range);
     case ValueType::Color: return either(number, tupleSchema(number, 3));
+    case ValueType::Colors: return tupleSchema(either(number, tupleSchema(number, 3)), 2);
     case ValueType::Vertices: return tupleSchema(tupleSchema(number, 3), 3);
     case ValueType::Text: return textSchema(field.range);
-    case ValueType::Image: return imageSchema(field.range);
+    case ValueType::Image:
+    case ValueType::Panorama: return imageSchema(field.type);
+    case ValueType::File: return fileSchema(field.range);
+    case ValueType::Scales: return either(number, tupleSchema(number, 3));
     case ValueType::Choice: return {{"enum", field.choices}};
     case ValueType::Object: return objectSchema(*field.format);
-    case ValueType::ImageOrObject: return either(imageSchema(kName), objectSchema(*field.format));
+    case ValueType::ImageOrObject: return either(imageSchema(ValueType::Image), objectSchema(*field.format));
     case ValueType::List: return listSchema(field);
     case ValueType::Map: return mapSchema(field);
     case ValueType::Ignored: break;

@@ -1,6 +1,7 @@
 #include "tracer/scene/shapes.h"
 
 #include "tracer/problem.h"
+#include "tracer/scene/rotation.h"
 
 #include <algorithm>
 #include <cassert>
@@ -49,6 +50,17 @@ Complaint checkAxis(const Shape& shape) {
             "move them at least " + toString(kShortest) + " apart"};
 }
 
+/// Rays see it in lengths of its radii, where the shortest one decides what rounding is.
+Complaint checkEllipsoid(const Shape& shape) {
+    constexpr double kMostRatio = 1e4;
+    const glm::dvec3 radii = pointOf(shape, "radii");
+    const double longest = std::max({radii.x, radii.y, radii.z}), shortest = std::min({radii.x, radii.y, radii.z});
+    if (longest <= kMostRatio * shortest) return {};
+    return {"its longest radius, " + toString(longest) + ", is over " + toString(kMostRatio) + " times its shortest, " +
+                toString(shortest),
+            "use a disc, or radii that differ less"};
+}
+
 Extent about(glm::dvec3 center, glm::dvec3 reach) { return {center - reach, center + reach}; }
 Extent hull(const Extent& a, const Extent& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
 
@@ -75,6 +87,25 @@ Extent torusExtent(const Shape& s) {
 }
 
 Extent boxExtent(const Shape& s) { return about(pointOf(s, "center"), pointOf(s, "half_size")); }
+
+/// The lengths of the rows of axes * reach.
+glm::dvec3 lengthsOfRows(const glm::dmat3& axes, glm::dvec3 reach) {
+    glm::dvec3 squares{0};
+    for (int i = 0; i < 3; ++i) squares += (axes[i] * reach[i]) * (axes[i] * reach[i]);
+    return glm::sqrt(squares);
+}
+
+Extent ellipsoidExtent(const Shape& s) {
+    return about(pointOf(s, "center"), lengthsOfRows(axesOf(pointOf(s, "rotate")), pointOf(s, "radii")));
+}
+
+Extent rotatedBoxExtent(const Shape& s) {
+    const glm::dmat3 axes = axesOf(pointOf(s, "rotate"));
+    const glm::dvec3 half = pointOf(s, "half_size");
+    glm::dvec3 reach{0};
+    for (int i = 0; i < 3; ++i) reach += glm::abs(axes[i] * half[i]);
+    return about(pointOf(s, "center"), reach);
+}
 
 Extent cylinderExtent(const Shape& s) {
     const glm::dvec3 from = pointOf(s, "from"), to = pointOf(s, "to");
@@ -149,12 +180,25 @@ constexpr ShapeRow kRows[] = {
       {"power", Scalar, "Power of the map; 8 is the known one", {2, 16}},
       {"iterations", Scalar, "How often points are mapped: more show finer detail", {1, 32, true}}},
      nothingWrong, mandelbulbExtent, false},
+    {ShapeKind::Ellipsoid, "ellipsoid",
+     {{"center", Point, "Centre"},
+      {"radii", Lengths, "From the centre along each of its axes, which are x, y and z before it is rotated"},
+      {"rotate", Rotation, "Degrees about x, then y, then z; default [0, 0, 0]"}},
+     checkEllipsoid, ellipsoidExtent, true, true},
     {ShapeKind::LargeSphere, "large_sphere",
      {{"anchor", Point, "Its point nearest to the eye"},
       {"normal", Direction, "There"},
       {"curvature", Scalar, "1 / the distance of the anchor from the centre"},
       {"height", Scalar, "Of the anchor above the surface, of either sign"}},
      nothingWrong, nullptr, true},
+    {ShapeKind::RotatedBox, "rotated_box",
+     {{"center", Point, "Centre"},
+      {"half_size", Lengths, "From the centre to the faces across x, y and z, before it is rotated"},
+      {"rotate", Rotation, "Degrees about x, then y, then z; default [0, 0, 0]"}},
+     nothingWrong, rotatedBoxExtent, true},
+    {ShapeKind::SmoothTriangle, "smooth_triangle",
+     {{"vertices", Vertices, "Three points a, b, c; the outside is where cross(b - a, c - a) points"}},
+     checkTriangle, triangleExtent, true},
     {ShapeKind::Solid, "solid",
      {{"center", Point, "Centre of its bounding sphere"},
       {"radius", Length, "Radius of that sphere"}},
@@ -189,6 +233,22 @@ glm::dvec3 vectorAt(const Shape& shape, int at) {
 std::span<const ShapeRow> shapeTable() { return std::span(kRows).first(std::size_t(ShapeKind::LargeSphere)); }
 
 const ShapeRow& shapeRow(ShapeKind kind) { return kRows[std::size_t(kind)]; }
+
+const ShapeRow& writtenRow(const ShapeRow& row) {
+    return row.kind == ShapeKind::Box ? shapeRow(ShapeKind::RotatedBox) : row;
+}
+
+Shape simplest(const Shape& shape) {
+    if (shape.kind != ShapeKind::RotatedBox || pointOf(shape, "rotate") != glm::dvec3(0)) return shape;
+    return makeShape(ShapeKind::Box, {pointOf(shape, "center"), pointOf(shape, "half_size")});
+}
+
+Shape unoriented(const Shape& shape) {
+    if (shape.kind != ShapeKind::Ellipsoid) return shape;
+    const glm::dvec3 radii = pointOf(shape, "radii");
+    const bool round = glm::distance(radii, glm::dvec3(radii.x)) <= 1e-9 * radii.x;
+    return round ? makeShape(ShapeKind::Sphere, {pointOf(shape, "center")}, {radii.x}) : shape;
+}
 
 Shape makeShape(ShapeKind kind, std::initializer_list<glm::dvec3> vectors, std::initializer_list<double> scalars) {
     Shape shape{kind, {}};

@@ -16,8 +16,9 @@
 
 namespace gnomon {
 
-/// Those that scene files name, then those that only drawing knows: a huge sphere as a large sphere; several shapes,
-/// and a Mandelbulb, which has only a distance, as a solid.
+/// Those that scene files name, then those that only drawing knows: a huge sphere as a large sphere; a box along axes
+/// of its own; a triangle whose corners have normals and image coordinates; several shapes, and a Mandelbulb, which has
+/// only a distance, as a solid.
 enum class ShapeKind {
     Sphere,
     Plane,
@@ -29,7 +30,10 @@ enum class ShapeKind {
     Capsule,
     Cone,
     Mandelbulb,
+    Ellipsoid,
     LargeSphere,
+    RotatedBox,
+    SmoothTriangle,
     Solid
 };
 inline constexpr int kShapeKinds = int(ShapeKind::Solid) + 1;
@@ -44,6 +48,7 @@ enum class FieldType {
     Scalar,    ///< one value > 0 that is no length
     Lengths,   ///< three values > 0, along x, y and z
     Vertices,  ///< three points in one JSON array
+    Rotation,  ///< degrees about x, y and z in scene files, 0 where they say none; kept as rotation.h has it
 };
 
 /// Vectors, of three values each, in a field of this type; 0 where it is one value.
@@ -106,12 +111,19 @@ struct ShapeRow {
     bool expensive = false; ///< to intersect: its bounding sphere is much cheaper to ask, where few rays come near it
 };
 
+/// What the corners of a smooth triangle have beside their positions.
+struct Corners {
+    std::array<glm::dvec3, 3> normals; ///< unit
+    std::array<glm::dvec2, 3> uv;
+};
+
 /// One shape: the values of its fields, in the order of the table.
 struct Shape {
     ShapeKind kind = ShapeKind::Sphere;
     std::array<double, kMaxShapeValues> values{};
-    std::shared_ptr<const Solid> solid{}; ///< of a solid; its values are relative to `home`
-    glm::dvec3 home{0};                   ///< where the middle of a solid rests
+    std::shared_ptr<const Solid> solid{};     ///< of a solid; its values are relative to `home`
+    glm::dvec3 home{0};                       ///< where the middle of a solid rests
+    std::shared_ptr<const Corners> corners{}; ///< of a smooth triangle
 };
 
 /// Vectors and scalars as the table has them, each in its order.
@@ -121,6 +133,12 @@ Shape makeShape(ShapeKind, std::initializer_list<glm::dvec3> vectors, std::initi
 std::span<const ShapeRow> shapeTable();
 /// The row of any kind.
 const ShapeRow& shapeRow(ShapeKind);
+/// The row whose fields scene files give under the key of `row`: a box may be rotated.
+const ShapeRow& writtenRow(const ShapeRow& row);
+/// What a shape of written fields is: a box that is not rotated has no axes of its own.
+Shape simplest(const Shape&);
+/// The same where nothing tells how it is rotated: an ellipsoid of equal radii is a sphere.
+Shape unoriented(const Shape&);
 
 /// The vector of a field, or the first of several, and its scalar.
 glm::dvec3 pointOf(const Shape&, std::string_view field);

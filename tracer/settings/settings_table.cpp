@@ -91,7 +91,7 @@ std::vector<SettingRow> makeTable() {
          "Position of the camera; the scene's own if unset"},
         {"target", OptionalPointType{&S::target, kFar}, "Camera",
          "Point that the camera looks at; the scene's own if unset"},
-        {"fov", OptionalRealType{&S::fov, 1, 170}, "Camera",
+        {"fov", OptionalRealType{&S::fov, 0.001, 170}, "Camera",
          "Vertical angle of view in degrees; the scene's own if unset",
          Effect::Uniform, 1},
         {"speed", RealType{&S::speed, 0.001, 1e4}, "Camera",

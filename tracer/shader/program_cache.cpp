@@ -24,6 +24,7 @@ void bindInterface(const CachedProgram& entry) {
     program.bindBlock("SceneBlock", kSceneBinding);
     program.bindSampler("sceneData", kDataUnit);
     program.bindSampler("sky", kSkyUnit);
+    program.bindSampler("panorama", kSkyUnit);
     program.bindSampler("paints", kPaintUnit);
     program.bindSampler("normals", kNormalUnit);
     program.bindSampler("covered", kCoverageUnit);

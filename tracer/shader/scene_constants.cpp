@@ -50,6 +50,11 @@ std::vector<std::pair<std::string, int>> constantsOf(const SceneFeatures& featur
     addList("kMaterial", at.materials, features.materials);
     addList("kLight", at.lights, features.lights);
     if (features.glows > 0) addList("kGlow", at.glows, features.glows);
+    if (features.metals()) constants.emplace_back("kMetalBase", at.metals);
+    if (features.media > 0) addList("kMedia", at.media, features.media);
+    if (features.checkers) constants.emplace_back("kCheckerBase", at.checkers);
+    if (features.lightProfiles) constants.emplace_back("kProfileBase", at.profiles);
+    if (features.gradient) constants.emplace_back("kGradientBase", at.gradient);
     constants.emplace_back("kSceneTexels", at.end);
     return constants;
 }

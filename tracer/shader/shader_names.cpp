@@ -76,10 +76,22 @@ Names namesOf(const Plan& plan) {
         {"REFLECTION", f.reflection},
         {"REFRACTION", f.refraction},
         {"COATS", f.coats},
+        {"MIRRORS", f.mirrors},
+        {"EXACT_FRESNEL", f.exactFresnel},
+        {"METALS", f.metals()},
+        {"MEDIA", f.refraction && f.media > 0},
+        {"ABSORPTION", f.refraction && f.absorption},
+        {"PASSES_ON", f.refraction && f.passesOn},
+        {"CUTS", f.passesOn},
         {"PAINTS", f.paints},
         {"NORMAL_MAPS", f.normalMaps},
-        {"IMAGES", f.paints + f.normalMaps},
+        {"IMAGES", f.paints + f.normalMaps + f.checkers},
+        {"CHECKERS", f.checkers},
+        {"DIRECTIONAL", f.directional},
+        {"LIGHT_PROFILES", f.lightProfiles},
         {"CUBEMAP", f.cubemap},
+        {"PANORAMA", f.panorama},
+        {"GRADIENT", f.gradient},
         {"LINEAR", f.linear},
         {"LIGHTS", f.lights},
         {"GLOWS", f.glows},
@@ -113,12 +125,17 @@ Names namesOf(const Plan& plan) {
         {"HIERARCHY", int(Search::Hierarchy)},
         {"GRID", int(Search::Grid)},
     };
+    const auto has = [&](ShapeKind kind) {
+        return std::any_of(f.shapes.begin(), f.shapes.end(), [&](const KindCount& k) { return k.kind == kind; });
+    };
+    names.values["TRIANGLES"] = has(ShapeKind::Triangle);
+    names.values["SMOOTH"] = has(ShapeKind::SmoothTriangle);
     // Of any kind: none in a program that is left with no kind to ask.
     for (const char* name : {"SEARCHES", "LATTICES", "UNIFORM_GRIDS", "HIERARCHIES", "ESTIMATED_CASTERS",
                              "MARCHED_CASTERS", "SPHERE_LATTICES", "NEARBY"})
         names.values[name] = 0;
     // Solids have shapes for parts that the scene has no object of.
-    for (const ShapeRow& row : shapeTable()) names.values[mapped(glslTypeOf(row.kind), std::toupper) + "_IMAGES"] = 0;
+    for (int i = 0; i < kShapeKinds; ++i) names.values[mapped(glslTypeOf(ShapeKind(i)), std::toupper) + "_IMAGES"] = 0;
     auto& shapes = names.lists["SHAPES"];
     auto& casters = names.lists["CASTERS"];
     auto& uncommon = names.lists["UNCOMMON"];
@@ -134,6 +151,7 @@ Names namesOf(const Plan& plan) {
         addSearch(kind, names);
         addNearest(kind, names);
     }
+    names.values["BOX_IMAGES"] |= names.values["ROTATED_BOX_IMAGES"]; // whose surface is that of a box
     std::string model(shadowRow(f.shadows).key);
     std::replace(model.begin(), model.end(), '-', '_');
     names.lists["SHADOW_MODEL"] = {model};

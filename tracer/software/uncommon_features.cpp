@@ -98,7 +98,8 @@ Plan baseOf(Plan plan) {
     split.coverageMask = split.tile > 0;
     split.tile = 0;
     scene.refraction = scene.refraction && !split.refraction;
-    scene.reflection = scene.conductors || scene.coats || scene.refraction;
+    scene.reflection = reflects(scene);
+    scene.exactFresnel = scene.exactFresnel && scene.reflection;
     if (split.normalMaps) scene.normalMaps = 0;
     bool images = false;
     for (std::size_t k = 0; k < scene.shapes.size(); ++k) {

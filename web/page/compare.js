@@ -4,7 +4,7 @@
 // which lets the page live between samples, and what only a browser knows.
 
 import { BenchStep, benchOf } from './compare_calls.js';
-import { fetchImage, fetchScene, fetchSceneIndex } from './load.js';
+import { fetchImage, fetchScene, fetchSceneIndex, giveFiles, handImage } from './load.js';
 
 const standardRounds = 15,
   mostRounds = 10_000;
@@ -174,8 +174,10 @@ export async function compare({ tracer, session }, options = {}) {
     if (text === undefined && listed.length && !listed.includes(name))
       throw new Error(`${asked.place}: scenes: there is no scene '${name}'; there are ${listed.join(', ')}`);
     text ??= await fetchScene(name);
+    await giveFiles(tracer, text);
     check(bench.scene(text, name));
-    for (const image of bench.imageNames()) check(bench.image(image, await fetchImage(image, () => {})));
+    for (const image of bench.imageNames())
+      check(await handImage(bench, image, await fetchImage(image, () => {})));
   }
 }
 
@@ -245,19 +247,19 @@ async function measure({ bench, session, asked, plan, step }) {
   };
 
   let rounds = 0;
-  const race = () => {
+  const measure = () => {
     if (bench.rounds() > rounds + 1) {
       rounds = bench.rounds() - 1;
       tellRound();
     }
-    return bench.race();
+    return bench.measure();
   };
   if (await stepThrough('compiling', plan.rows.length, bench.prepare)) {
     if (asked.earlier) check(bench.continueFrom(asked.earlier));
     rounds = bench.rounds();
     const here = Math.max(1, Math.ceil((asked.repeats * asked.browserSession) / asked.browserSessions) - rounds);
     bench.start(here, asked.browserSessions, Math.max(0, deadline - performance.now()) / 1000);
-    await stepThrough('drawing', bench.drawn() * (here + 1), race);
+    await stepThrough('drawing', bench.drawn() * (here + 1), measure);
   }
   return tellRound();
 }

@@ -11,14 +11,16 @@ const named = {
 const moves = ['KeyW', 'KeyA', 'KeyS', 'KeyD'];
 
 /**
- * The name of the key, or null where it is none of ours. Moving keys and digits go by place, so that they lie alike on
- * every layout; letters with a meaning go by what stands on the cap.
+ * The name of the key, or null where it is none of ours. Moving keys and digits go by position, so that they lie alike
+ * on every layout; letters with a meaning go by what stands on the cap, and the caps of moving keys elsewhere mean
+ * nothing.
  */
 export function keyName({ code, key }) {
   if (named[code]) return named[code];
   if (/^Digit\d$/.test(code)) return code.slice(5);
   if (moves.includes(code)) return code.slice(3);
-  if (/^[a-z]$/i.test(key)) return key.toUpperCase();
+  const cap = /^[a-z]$/i.test(key) ? key.toUpperCase() : null;
+  if (cap) return moves.includes(`Key${cap}`) ? null : cap;
   if (/^Key[A-Z]$/.test(code)) return code.slice(3); // a layout without Latin letters
   return null;
 }
@@ -28,7 +30,7 @@ const isTyping = (target) =>
 
 /** @param keys { down(name), up(name), releaseAll() } */
 export function listenToKeys(keys) {
-  const held = new Map(); // by place: the cap's letter may change between down and up, with Shift
+  const held = new Map(); // by position: the cap's letter may change between down and up, with Shift
 
   addEventListener('keydown', (event) => {
     if (event.ctrlKey || event.metaKey || event.altKey || isTyping(event.target)) return;

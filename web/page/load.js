@@ -3,7 +3,13 @@
 const site = new URL('../', import.meta.url); // relative, so that the folder works under any path of any server
 
 const sceneUrl = (name) => new URL(`assets/scenes/${encodeURIComponent(name)}.json`, site);
-const imageUrl = (name) => new URL(`assets/textures/${encodeURIComponent(name)}.png`, site);
+const imageUrl = (file) => new URL(`assets/textures/${file.split('/').map(encodeURIComponent).join('/')}`, site);
+
+/** Files that an image's name may mean, as native/file/asset_folder.cpp has them: the first that exists is taken. */
+const filesNamed = (name) =>
+  /\.(png|jpe?g|hdr)$/i.test(name)
+    ? [name]
+    : ['.png', '.PNG', '.jpg', '.JPG', '.jpeg', '.JPEG'].map((ending) => name + ending);
 
 async function get(url) {
   const name = url.pathname.split('/').slice(-1)[0];
@@ -47,6 +53,21 @@ export async function fetchScene(name) {
   }
 }
 
+/**
+ * Gives the tracer the files that a scene names: those from the scenes' folder. Of one that is missing the tracer tells
+ * itself, when it takes the scene.
+ */
+export async function giveFiles(tracer, json) {
+  for (const path of tracer.sceneFiles(json)) {
+    const url = new URL(`assets/scenes/${path.split('/').map(encodeURIComponent).join('/')}`, site);
+    try {
+      tracer.giveFile(path, new Uint8Array(await (await get(url)).arrayBuffer()));
+    } catch (error) {
+      if (error.status !== 404) throw error;
+    }
+  }
+}
+
 /** [{ name, title, description }, …] of all scenes; empty where the list is missing. */
 export async function fetchSceneIndex() {
   try {
@@ -58,6 +79,32 @@ export async function fetchSceneIndex() {
 
 /** The bytes of an image file, counted as they come. */
 export async function fetchImage(name, onBytes) {
-  const response = await fetchCounted(imageUrl(name), onBytes, 'image/png');
-  return new Uint8Array(await response.arrayBuffer());
+  const files = filesNamed(name);
+  for (const file of files) {
+    try {
+      const response = await fetchCounted(imageUrl(file), onBytes, 'application/octet-stream');
+      return new Uint8Array(await response.arrayBuffer());
+    } catch (error) {
+      if (error.status !== 404) throw error;
+    }
+  }
+  throw new Error(`${name}: the server does not have it as ${files.join(', ')}`);
+}
+
+const isJpeg = (bytes) => bytes[0] === 0xff && bytes[1] === 0xd8;
+
+/**
+ * Hands an image over: `give(name, bytes, width)` takes a file's bytes, or texels where there is a width. A JPEG is
+ * decoded by the browser, once `measure(name, bytes)` has found nothing against it. Answers problems, '' of none.
+ */
+export async function handImage({ measure, give }, name, bytes) {
+  if (!isJpeg(bytes)) return give(name, bytes, 0);
+  const problems = measure(name, bytes);
+  if (problems) return problems;
+  const options = { colorSpaceConversion: 'none', premultiplyAlpha: 'none' };
+  const picture = await createImageBitmap(new Blob([bytes]), options).catch(() => null);
+  if (!picture) return `${name}: cannot be read as a picture (a broken JPEG)`;
+  const canvas = new OffscreenCanvas(picture.width, picture.height).getContext('2d');
+  canvas.drawImage(picture, 0, 0);
+  return give(name, canvas.getImageData(0, 0, picture.width, picture.height).data, picture.width);
 }

@@ -1,6 +1,6 @@
 // The tracer at work on a canvas: scenes and their images, the frames, a context that goes and comes back.
 
-import { fetchImage, fetchScene } from './load.js';
+import { fetchImage, fetchScene, giveFiles, handImage } from './load.js';
 
 const mostPatienceMs = 3000;
 
@@ -116,7 +116,7 @@ export function startSession({ tracer, canvas, task, emit }) {
     try {
       const bytes = await fetchImage(name, (soFar, total) => loading.at(soFar / total));
       await (imagesBefore = imagesBefore.then(() => pause(0))); // one at a time, so that the page can answer between
-      if (order === wantedScene) whenAlive(() => report(tracer.giveImage(name, bytes)));
+      if (order === wantedScene) whenAlive(async () => report(await handImage(tracer, name, bytes)));
     } catch (error) {
       report(`${error.message}; one flat colour stands in for the image`);
     }
@@ -137,6 +137,7 @@ export function startSession({ tracer, canvas, task, emit }) {
     const order = ++wantedScene;
     const json = await text;
     while (!alive()) await pause(50);
+    if (order === wantedScene) await giveFiles(tracer, json);
     if (order === wantedScene) takeScene(json, name, order);
   };
 

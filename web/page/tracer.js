@@ -45,13 +45,13 @@ function wrap(module) {
     return answer;
   };
 
-  const withBytes = (name, string, bytes, count = bytes.length) => {
+  const withBytes = (name, string, bytes, count = bytes.length, ...more) => {
     const size = module.lengthBytesUTF8(string) + 1;
     const nameAt = module._malloc(size);
     const bytesAt = module._malloc(bytes.length);
     module.stringToUTF8(string, nameAt, size);
     module.HEAPU8.set(bytes, bytesAt);
-    const answer = module[`_${name}`](nameAt, bytesAt, count);
+    const answer = module[`_${name}`](nameAt, bytesAt, count, ...more);
     module._free(bytesAt);
     module._free(nameAt);
     return answer;
@@ -68,9 +68,12 @@ function wrap(module) {
     createViewer: (lines, place) => text(withStrings('createViewer', lines, place)),
     table: () => JSON.parse(text(module._settingsTableJson())),
 
+    sceneFiles: (json) => text(withStrings('sceneFiles', json)).split('\n').filter(Boolean),
+    giveFile: (path, bytes) => void withBytes('giveFile', path, bytes),
     loadScene: (json, name) => text(withStrings('loadScene', json, name)),
     imageNames: () => text(module._imageNames()).split('\n').filter(Boolean),
-    giveImage: (name, bytes) => text(withBytes('giveImage', name, bytes)),
+    measure: (name, bytes) => text(withBytes('measureImageFile', name, bytes)),
+    give: (name, bytes, width) => text(withBytes('giveImage', name, bytes, bytes.length, width)),
 
     set: (key, value, place) => text(withStrings('setSetting', key, String(value), place)),
     settings: () => new Map(pairsOf(text(module._settingsText()))),

@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <limits>
 #include <string_view>
 #include <type_traits>
 
@@ -32,9 +33,8 @@ class ExactShape {
     }
 
     ShapeKind kind() const { return kind_; }
-    bool closed() const {
-        return kind_ != ShapeKind::Plane && kind_ != ShapeKind::Disc && kind_ != ShapeKind::Triangle;
-    }
+    bool closed() const { return kind_ != ShapeKind::Plane && kind_ != ShapeKind::Disc && !triangle(); }
+    bool triangle() const { return kind_ == ShapeKind::Triangle || kind_ == ShapeKind::SmoothTriangle; }
     /// The distance is a convex function of the point.
     bool convex() const { return closed() && kind_ != ShapeKind::Torus; }
     const Vec3<Wide<R>>& middle() const { return middle_; }
@@ -55,7 +55,12 @@ class ExactShape {
             const R along = dot(p, axis_);
             return hypotenuse(length(p - along * axis_) - radius_, along) - minor_;
         }
-        case ShapeKind::Box: return boxDistance(abs(p.x) - half_.x, abs(p.y) - half_.y, abs(p.z) - half_.z);
+        case ShapeKind::Box:
+        case ShapeKind::RotatedBox: {
+            const Vec3<R> q = alongAxes(p);
+            return boxDistance(abs(q.x) - half_.x, abs(q.y) - half_.y, abs(q.z) - half_.z);
+        }
+        case ShapeKind::Ellipsoid: return ellipsoidDistance(alongAxes(p));
         case ShapeKind::Cylinder: {
             const Profile q = profile(p);
             return boxDistance(q.radial - radius_, abs(q.along) - halfLength_, R(-1e30));
@@ -67,7 +72,8 @@ class ExactShape {
         case ShapeKind::Cone: return coneDistance(profile(p));
         case ShapeKind::Plane:
         case ShapeKind::Disc:
-        case ShapeKind::Triangle: return dot(p, axis_);
+        case ShapeKind::Triangle:
+        case ShapeKind::SmoothTriangle: return dot(p, axis_);
         case ShapeKind::LargeSphere: // to its scene it is a sphere
         case ShapeKind::Mandelbulb:  // told by their distance fields only (solid.h)
         case ShapeKind::Solid: break;
@@ -81,7 +87,7 @@ class ExactShape {
             const Profile q = profile(p);
             return hypotenuse(q.along, std::max<R>(q.radial - radius_, 0));
         }
-        if (kind_ != ShapeKind::Triangle) return distance(p);
+        if (!triangle()) return distance(p);
         if (withinRim(p) >= 0) return abs(distance(p));
         R least = R(1e30);
         for (int i = 0; i < 3; ++i) {
@@ -95,7 +101,7 @@ class ExactShape {
     /// How far a point of a flat shape's plane is inside its rim; a plane has none.
     R withinRim(const Vec3<R>& p) const {
         if (kind_ == ShapeKind::Disc) return radius_ - length(p);
-        if (kind_ != ShapeKind::Triangle) return R(1e30);
+        if (!triangle()) return R(1e30);
         R least = R(1e30);
         for (int i = 0; i < 3; ++i) {
             const Vec3<R> along = unit(vertices_[(i + 1) % 3] - vertices_[i]);
@@ -118,13 +124,16 @@ class ExactShape {
         return unit(g);
     }
 
-    /// From a point of the surface to the nearest edge or apex, where the normal jumps.
+    /// From a point of the surface to the nearest edge or apex, where the normal jumps; through an ellipsoid to where
+    /// it is that of the other side.
     R toEdge(const Vec3<R>& p) const {
-        if (kind_ == ShapeKind::Box) {
-            R away[] = {abs(abs(p.x) - half_.x), abs(abs(p.y) - half_.y), abs(abs(p.z) - half_.z)};
+        if (kind_ == ShapeKind::Box || kind_ == ShapeKind::RotatedBox) {
+            const Vec3<R> q = alongAxes(p);
+            R away[] = {abs(abs(q.x) - half_.x), abs(abs(q.y) - half_.y), abs(abs(q.z) - half_.z)};
             std::sort(away, away + 3);
             return away[1];
         }
+        if (kind_ == ShapeKind::Ellipsoid) return ellipsoidDepth(alongAxes(p));
         const Profile q = profile(p);
         if (kind_ == ShapeKind::Cylinder) return hypotenuse(q.radial - radius_, halfLength_ - abs(q.along));
         if (kind_ != ShapeKind::Cone) return R(1e30);
@@ -143,7 +152,8 @@ class ExactShape {
             const bool base = toBase(q) <= toSide(q);
             return base ? radius_ : std::min<R>(radius_, q.radial);
         }
-        case ShapeKind::Triangle: {
+        case ShapeKind::Triangle:
+        case ShapeKind::SmoothTriangle: {
             const Vec3<R> a = vertices_[1] - vertices_[0], b = vertices_[2] - vertices_[1],
                           c = vertices_[0] - vertices_[2];
             return length(cross(a, b)) / std::max<R>(length(a), std::max<R>(length(b), length(c)));
@@ -151,7 +161,9 @@ class ExactShape {
         case ShapeKind::Sphere:
         case ShapeKind::Plane:
         case ShapeKind::Disc:
-        case ShapeKind::Box: return size_;
+        case ShapeKind::Box:
+        case ShapeKind::RotatedBox: return size_;
+        case ShapeKind::Ellipsoid: return std::min<R>(size_, ellipsoidBend(alongAxes(p)));
         case ShapeKind::LargeSphere:
         case ShapeKind::Mandelbulb:
         case ShapeKind::Solid: break;
@@ -180,6 +192,7 @@ class ExactShape {
             radius_ = scalar("radius");
             break;
         case ShapeKind::Triangle:
+        case ShapeKind::SmoothTriangle:
             middle_ =
                 (1 / W(3)) * (Vec3<W>(vertexOf(shape, 0)) + Vec3<W>(vertexOf(shape, 1)) + Vec3<W>(vertexOf(shape, 2)));
             for (int i = 0; i < 3; ++i) vertices_[i] = Vec3<R>(Vec3<W>(vertexOf(shape, i)) - middle_);
@@ -195,6 +208,12 @@ class ExactShape {
             middle_ = point("center");
             half_ = Vec3<R>(point("half_size"));
             break;
+        case ShapeKind::RotatedBox:
+        case ShapeKind::Ellipsoid:
+            middle_ = point("center");
+            half_ = Vec3<R>(point(kind_ == ShapeKind::Ellipsoid ? "radii" : "half_size"));
+            setAxes(Vec3<R>(point("rotate")));
+            break;
         case ShapeKind::Cylinder:
         case ShapeKind::Capsule:
         case ShapeKind::Cone: {
@@ -209,6 +228,71 @@ class ExactShape {
         case ShapeKind::Mandelbulb:
         case ShapeKind::Solid: noAnswer();
         }
+    }
+
+    /// As a unit quaternion applied to each axis: i' = (w² - v²) i + 2 (v i) v + 2 w v x i.
+    void setAxes(const Vec3<R>& rodrigues) {
+        const R square = dot(rodrigues, rodrigues), w = (1 - square) / (1 + square);
+        const Vec3<R> v = (2 / (1 + square)) * rodrigues;
+        for (int i = 0; i < 3; ++i) {
+            Vec3<R> axis;
+            axis[i] = 1;
+            axes_[i] = (w * w - dot(v, v)) * axis + (2 * v[i]) * v + (2 * w) * cross(v, axis);
+        }
+    }
+    Vec3<R> alongAxes(const Vec3<R>& p) const { return {dot(p, axes_[0]), dot(p, axes_[1]), dot(p, axes_[2])}; }
+
+    /// The foot q of p has p - q = s q / radii². Newton's method for 1 / |q / radii| = 1, nearly a straight line in s,
+    /// from where it is too small: it bends so that no step passes the root.
+    R ellipsoidDistance(const Vec3<R>& p) const {
+        using std::sqrt;
+        const R least = std::min<R>(half_.x, std::min<R>(half_.y, half_.z));
+        Vec3<R> weighed, gap;
+        R s = 0;
+        for (int i = 0; i < 3; ++i) {
+            weighed[i] = half_[i] * std::max<R>(abs(p[i]), least * std::numeric_limits<R>::epsilon());
+            gap[i] = (half_[i] - least) * (half_[i] + least); // told from the pole at s = -least²
+            s = std::max<R>(s, weighed[i] - gap[i]);
+        }
+        for (int round = 0; round < 200; ++round) {
+            R square = 0, slope = 0;
+            for (int i = 0; i < 3; ++i) {
+                const R part = weighed[i] / (s + gap[i]);
+                square += part * part;
+                slope += part * part / (s + gap[i]);
+            }
+            const R step = (sqrt(square) - 1) * square / slope;
+            if (!(step > s * std::numeric_limits<R>::epsilon())) break;
+            s += step;
+        }
+        Vec3<R> off, normal;
+        for (int i = 0; i < 3; ++i) {
+            const R part = weighed[i] / (s + gap[i]);
+            off[i] = abs(p[i]) - half_[i] * part;
+            normal[i] = part / half_[i];
+        }
+        return dot(off, unit(normal));
+    }
+    /// The normal through a point of the surface meets the plane across the shortest axis so far inside.
+    R ellipsoidDepth(const Vec3<R>& p) const {
+        const R least = std::min<R>(half_.x, std::min<R>(half_.y, half_.z));
+        Vec3<R> gradient;
+        for (int i = 0; i < 3; ++i) gradient[i] = p[i] / (half_[i] * half_[i]);
+        return least * least * length(gradient);
+    }
+    /// From trace and determinant of the shape operator of q / radii² at a point of the surface.
+    R ellipsoidBend(const Vec3<R>& p) const {
+        using std::sqrt;
+        Vec3<R> gradient, bends;
+        for (int i = 0; i < 3; ++i) {
+            bends[i] = 1 / (half_[i] * half_[i]);
+            gradient[i] = p[i] * bends[i];
+        }
+        const R steep = length(gradient);
+        R trace = 0;
+        for (int i = 0; i < 3; ++i) trace += bends[i] * (1 - gradient[i] * gradient[i] / (steep * steep)) / steep;
+        const R gauss = bends.x * bends.y * bends.z / (steep * steep * steep * steep);
+        return 2 / (trace + sqrt(std::max<R>(trace * trace - 4 * gauss, 0)));
     }
 
     /// Ends the program: a wrong reference would make every comparison with it worthless.
@@ -260,11 +344,14 @@ class ExactShape {
         case ShapeKind::Sphere:
         case ShapeKind::Disc: return radius_;
         case ShapeKind::Torus: return radius_ + minor_;
-        case ShapeKind::Box: return length(half_);
+        case ShapeKind::Box:
+        case ShapeKind::RotatedBox: return length(half_);
+        case ShapeKind::Ellipsoid: return std::max<R>(half_.x, std::max<R>(half_.y, half_.z));
         case ShapeKind::Capsule: return halfLength_ + radius_;
         case ShapeKind::Cylinder:
         case ShapeKind::Cone: return hypotenuse(halfLength_, radius_);
         case ShapeKind::Triangle:
+        case ShapeKind::SmoothTriangle:
             return std::max<R>(length(vertices_[0]), std::max<R>(length(vertices_[1]), length(vertices_[2])));
         case ShapeKind::Plane: return R(1);
         case ShapeKind::LargeSphere:
@@ -276,7 +363,8 @@ class ExactShape {
 
     ShapeKind kind_;
     Vec3<Wide<R>> middle_;
-    Vec3<R> vertices_[3], axis_, half_;
+    Vec3<R> vertices_[3], axis_, half_; ///< half_: of an ellipsoid its radii
+    Vec3<R> axes_[3]{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     R radius_ = 0, minor_ = 0, halfLength_ = 0, size_ = 1;
 };
 

@@ -1,9 +1,14 @@
 #include "lab/reference/exact/picture.h"
 
+#include "lab/reference/exact/fresnel.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <complex>
 #include <limits>
 #include <thread>
+#include <tuple>
 
 namespace gnomon::oracle {
 namespace {
@@ -18,23 +23,44 @@ Vec startOff(const SceneHit& hit, Vec normal) {
     return hit.point + 1e-12L * (std::max({size.x, size.y, size.z}) + hit.t) * normal;
 }
 
-/// Reflectance at normal incidence of a surface with complex index n + ik.
-glm::dvec3 normalReflectance(const Material& material) {
-    glm::dvec3 n(1), k(0);
+/// Per channel the index n + ik of what lies under the surface, in the float32 that the shader gets.
+std::array<std::complex<Real>, 3> indicesOf(const Material& material) {
+    glm::vec3 n(1), k(0);
     if (const auto* conductor = std::get_if<Conductor>(&material.optics)) {
-        n = conductor->n;
-        k = conductor->k;
+        n = glm::vec3(conductor->n);
+        k = glm::vec3(conductor->k);
     }
-    if (const auto* dielectric = std::get_if<Dielectric>(&material.optics)) n = glm::dvec3(dielectric->ior);
-    if (const auto* coat = std::get_if<Coat>(&material.optics)) n = glm::dvec3(coat->ior);
-    return ((n - 1.0) * (n - 1.0) + k * k) / ((n + 1.0) * (n + 1.0) + k * k);
+    if (const auto* dielectric = std::get_if<Dielectric>(&material.optics)) n = glm::vec3(float(dielectric->ior));
+    if (const auto* coat = std::get_if<Coat>(&material.optics)) n = glm::vec3(float(coat->ior));
+    return {{{n.r, k.r}, {n.g, k.g}, {n.b, k.b}}};
 }
 
-glm::dvec3 schlick(glm::dvec3 atNormal, double cosine) {
-    return atNormal + (1.0 - atNormal) * std::pow(1 - std::clamp(cosine, 0.0, 1.0), 5);
+/// By Schlick's approximation, which wants the cosine on the thinner side.
+Real schlick(std::complex<Real> index, Real cosine) {
+    const Real atNormal = std::norm((index - Real(1)) / (index + Real(1)));
+    return atNormal + (1 - atNormal) * std::pow(1 - std::clamp<Real>(cosine, 0, 1), Real(5));
+}
+
+/// Of a light over its colour, by the way to it: a spot fades in a smooth step of the cosine to its axis.
+double strengthOf(const Light& light, Vec way) {
+    const double distance = double(glm::length(way));
+    double strength = 1;
+    if (light.falloff > 0) strength = std::pow(light.falloff / std::max(distance, 1e-3 * light.falloff), 2);
+    if (light.kind != LightKind::Spot) return strength;
+    const double cosine = -glm::dot(light.direction, glm::dvec3(way)) / distance;
+    const double end = std::cos(glm::radians(light.angle)),
+                 full = std::cos(glm::radians(light.angle * (1 - light.softness)));
+    const double t = full > end ? std::clamp((cosine - end) / (full - end), 0.0, 1.0) : double(cosine > end);
+    return strength * t * t * (3 - 2 * t);
 }
 
 double largest(glm::dvec3 v) { return std::max({v.x, v.y, v.z}); }
+
+glm::dvec3 background(const Background& background, Vec direction) {
+    if (!background.gradient) return background.color;
+    const auto& [top, bottom] = *background.gradient;
+    return bottom + (top - bottom) * double((1 + direction.y) / 2);
+}
 
 /// How far `color` is outside of the range, in its worst channel; at most 0 within.
 double beyondRange(glm::dvec3 color, const ColorRange& range) {
@@ -122,30 +148,128 @@ void Picture::widenAtEdges(ColorRange& range, int x, int y) const {
     }
 }
 
-glm::dvec3 Picture::color(Vec origin, Vec direction, int depth) const {
-    const SceneHit hit = nearestHit(shapes_, origin, direction);
-    if (hit.object < 0) return scene_.background.color;
-    const Material& material = scene_.materials[std::size_t(scene_.objects[std::size_t(hit.object)].material)];
-    glm::dvec3 sum = shade(material, hit, direction);
-    if (std::holds_alternative<std::monostate>(material.optics) || depth >= depth_) return sum;
+/// Surfaces that a ray of the largest depth passes: shaders/integrator/whitted.glsl.
+constexpr int kMostStraight = 16;
 
+/// Discs and triangles of one material are the skin of one body.
+int Picture::bodyOf(int object) const {
+    const auto skin = [&](int i) {
+        return !shapes_[std::size_t(i)].closed() && shapes_[std::size_t(i)].kind() != ShapeKind::Plane;
+    };
+    const auto material = [&](int i) { return scene_.objects[std::size_t(i)].material; };
+    if (!skin(object)) return object;
+    for (int i = 0; i < object; ++i)
+        if (skin(i) && material(i) == material(object)) return i;
+    return object;
+}
+
+/// By the stated priority, then the smaller by the box about it, then the first.
+bool Picture::moreImportant(int body, int than) const {
+    const auto rowOf = [&](int i) {
+        const Shape& shape = scene_.objects[std::size_t(i)].shape;
+        const auto extent = shapeRow(shape.kind).extent;
+        const Extent box = extent ? extent(shape) : Extent{glm::dvec3(-1e30), glm::dvec3(1e30)};
+        return std::tuple(-mediumOf({i}).priority, glm::distance(box.low, box.high), i);
+    };
+    return rowOf(body) < rowOf(than);
+}
+
+Picture::Bodies Picture::bodiesAt(Vec point) const {
+    Bodies bodies;
+    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+        const SceneShape& shape = shapes_[i];
+        if (!scene_.materials[std::size_t(scene_.objects[i].material)].refracts()) continue;
+        if (!shape.closed() && shape.kind() != ShapeKind::Plane) continue;
+        if (shape.distance(Vec3<Real>(point) - shape.middle()) < 0) bodies.push_back(int(i));
+    }
+    return bodies;
+}
+
+/// The most important one's; air where there is none.
+Dielectric Picture::mediumOf(const Bodies& bodies) const {
+    if (bodies.empty()) return {.ior = 1};
+    int top = bodies[0];
+    for (const int body : bodies)
+        if (body != top && moreImportant(body, top)) top = body;
+    return std::get<Dielectric>(scene_.materials[std::size_t(scene_.objects[std::size_t(top)].material)].optics);
+}
+
+/// Behind a surface. A skin is believed before what is known of where the ray is.
+Picture::Bodies Picture::beyond(const SceneHit& hit, Bodies& inside) const {
+    const int body = bodyOf(hit.object);
+    const auto with = [body](Bodies bodies) {
+        if (std::ranges::find(bodies, body) == bodies.end()) bodies.push_back(body);
+        return bodies;
+    };
+    const auto without = [body](Bodies bodies) {
+        std::erase(bodies, body);
+        return bodies;
+    };
+    const SceneShape& shape = shapes_[std::size_t(hit.object)];
+    if (!shape.closed() && shape.kind() != ShapeKind::Plane) inside = hit.outside ? without(inside) : with(inside);
+    return hit.outside ? with(inside) : without(inside);
+}
+
+glm::dvec3 Picture::color(Vec origin, Vec direction, int depth, Bodies inside, int passed) const {
+    constexpr int kMostPassed = 100; // a ray that goes along a face may be stopped by its rounding again and again
+    if (passed > kMostPassed) return glm::dvec3(0);
+    const SceneHit hit = nearestHit(shapes_, origin, direction);
+    const double travelled = hit.object < 0 ? 1e30 : double(hit.t);
+    const glm::dvec3 left = glm::exp(-travelled * glm::dvec3(glm::vec3(mediumOf(inside).absorption)));
+    if (hit.object < 0) return left * background(scene_.background, direction);
+    const Material& material = scene_.materials[std::size_t(scene_.objects[std::size_t(hit.object)].material)];
+    const auto straightOn = [&](int next, const Bodies& media) {
+        return color(startOff(hit, -hit.normal), direction, next, media, passed + 1);
+    };
+    Bodies behind = inside;
+    if (material.refracts()) {
+        behind = beyond(hit, inside);
+        const Dielectric here = mediumOf(inside), there = mediumOf(behind);
+        const bool alike =
+            !inside.empty() && !behind.empty() && here.ior == there.ior && here.absorption == there.absorption;
+        if (behind.size() == inside.size() || alike) return left * straightOn(depth, behind);
+    }
+    const glm::dvec3 own = shade(material, hit, direction);
+    if (depth < depth_) return left * (own + scattered(material, hit, direction, depth, inside, behind));
+    const bool passes = material.refracts() && scene_.depthLimit == DepthLimit::Straight;
+    if (!passes) return left * own;
+    const bool last = depth >= depth_ + kMostStraight;
+    return left * (own + (last ? background(scene_.background, direction) : straightOn(depth + 1, behind)));
+}
+
+glm::dvec3 Picture::scattered(const Material& material, const SceneHit& hit, Vec direction, int depth,
+                              const Bodies& inside, const Bodies& behind) const {
+    if (std::holds_alternative<std::monostate>(material.optics)) return glm::dvec3(0);
     const Real cosine = std::clamp<Real>(-glm::dot(direction, hit.normal), 0, 1);
-    const glm::dvec3 atNormal = normalReflectance(material);
-    glm::dvec3 mirrored = schlick(atNormal, double(cosine));
-    if (const auto* dielectric = std::get_if<Dielectric>(&material.optics)) {
-        const bool entering = hit.outside;
-        const Real ior = float(dielectric->ior), eta = entering ? 1 / ior : ior;
+    // Of a dielectric's medium on the ray's side over that beyond; a coat, and a conductor, is seen from the air.
+    const Real eta = material.refracts() ? Real(float(mediumOf(inside).ior)) / Real(float(mediumOf(behind).ior)) : 0;
+    glm::dvec3 sum(0), mirrored = reflectance(material, cosine, eta);
+    if (material.refracts()) {
         const Real k = 1 - eta * eta * (1 - cosine * cosine); // squared cosine beyond the surface, by Snell's law
         if (k < 0) {
             mirrored = glm::dvec3(1);
         } else {
-            if (!entering) mirrored = schlick(atNormal, double(std::sqrt(k)));
             const Vec bent = glm::normalize(eta * direction + (eta * cosine - std::sqrt(k)) * hit.normal);
-            sum += (1.0 - mirrored) * color(startOff(hit, -hit.normal), bent, depth + 1);
+            sum += (1.0 - mirrored) * color(startOff(hit, -hit.normal), bent, depth + 1, behind);
         }
     }
     const Vec back = glm::normalize(direction + 2 * cosine * hit.normal);
-    return sum + mirrored * color(startOff(hit, hit.normal), back, depth + 1);
+    return sum + mirrored * color(startOff(hit, hit.normal), back, depth + 1, inside);
+}
+
+glm::dvec3 Picture::reflectance(const Material& material, Real cosine, Real eta) const {
+    if (const auto* mirror = std::get_if<Mirror>(&material.optics)) return mirror->reflectance;
+    const auto indices = indicesOf(material);
+    glm::dvec3 reflected(0);
+    for (int c = 0; c < 3; ++c) {
+        const std::complex<Real> index = material.refracts() ? 1 / eta : indices[std::size_t(c)];
+        const Real squared = 1 - (1 - cosine * cosine) / std::norm(index); // of the cosine beyond, of clear media
+        const bool fromThicker = material.refracts() && eta > 1;
+        const Real thinner = fromThicker ? std::sqrt(std::max<Real>(squared, 0)) : cosine;
+        reflected[c] =
+            double(scene_.fresnel == Fresnel::Schlick ? schlick(index, thinner) : fresnelReflectance(cosine, index));
+    }
+    return reflected;
 }
 
 /// Blinn-Phong, each term of each light within [0, 1].
@@ -153,22 +277,24 @@ glm::dvec3 Picture::shade(const Material& material, const SceneHit& hit, Vec dir
     glm::dvec3 sum = material.emission + material.ambient;
     const Vec start = startOff(hit, hit.normal);
     for (const Light& light : scene_.lights) {
-        const Vec position = asInShader(light.position);
-        const Vec toLight = glm::normalize(position - hit.point);
+        const bool parallel = light.kind == LightKind::Directional;
+        const Vec way = parallel ? -Vec(light.direction) : asInShader(light.position) - hit.point;
+        const Vec toLight = glm::normalize(way);
         const double cosine = double(glm::dot(hit.normal, toLight));
         if (cosine <= 0) continue;
         const double highlight = std::max(0.0, double(glm::dot(hit.normal, glm::normalize(toLight - direction))));
         const glm::dvec3 diffuse = glm::clamp(material.diffuse * cosine, 0.0, 1.0);
         const glm::dvec3 specular = glm::clamp(material.specular * std::pow(highlight, material.shininess), 0.0, 1.0);
-        const glm::dvec3 most = light.color * (diffuse + specular);
-        if (largest(most) > 0 && lit(start, position)) sum += most;
+        const glm::dvec3 most = light.color * strengthOf(light, way) * (diffuse + specular);
+        const Real end = parallel ? std::numeric_limits<Real>::infinity() : glm::length(way);
+        if (largest(most) > 0 && lit(start, parallel ? toLight : way + hit.point - start, end)) sum += most;
     }
     return sum;
 }
 
-bool Picture::lit(Vec start, Vec light) const {
-    const SceneHit between = nearestHit(casters_, start, glm::normalize(light - start));
-    return between.object < 0 || between.t >= glm::length(light - start);
+bool Picture::lit(Vec start, Vec way, Real end) const {
+    const SceneHit between = nearestHit(casters_, start, glm::normalize(way));
+    return between.object < 0 || between.t >= end;
 }
 
 Difference compare(const FloatImage& image, const Picture& picture, double tolerance) {

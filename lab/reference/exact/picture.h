@@ -1,10 +1,11 @@
 /// The picture that the shader ought to draw, by a ray tracer on the CPU.
 ///
 /// Whitted's tree over the oracle's nearest hits: Blinn-Phong with hard shadows, conductors, dielectrics and coats by
-/// Schlick's formula, one background colour. Left out: textures, normal maps, cube maps, glow, and the threshold below
-/// which the shader follows no ray. Rays are long double, since what they meet is decided from 1e4 units away; colours
-/// are double. A secondary ray starts 1e-12 of its coordinates off the surface, on the side it travels on, and knows
-/// nothing else of where it starts: no object numbers, no sides, no tMin as in the shader.
+/// the Fresnel equations or Schlick's formula, as the scene says, mirrors, media that lie in one another, overlap and
+/// absorb, lights of every kind, one background colour. Left out: textures, checkers, normal maps, cube maps, glow, and
+/// the threshold below which the shader follows no ray. Rays are long double, since what they meet is decided from 1e4
+/// units away; colours are double. A secondary ray starts 1e-12 of its coordinates off the surface, on the side it
+/// travels on, and knows nothing else of where it starts: no object numbers, no sides, no tMin as in the shader.
 #pragma once
 
 #include "lab/reference/exact/scene_hit.h"
@@ -29,7 +30,7 @@ class Picture {
     Picture(const Scene&, int width, int height, int depth);
 
     /// Of the linear light along a ray.
-    glm::dvec3 color(Vec origin, Vec direction) const { return color(origin, direction, 1); }
+    glm::dvec3 color(Vec origin, Vec direction) const { return color(origin, direction, 1, bodiesAt(origin)); }
     glm::dvec3 middle(int x, int y) const { return middles_[std::size_t(y) * width_ + x]; }
     /// Over the subpixels of a pixel, which may lie outside of the picture.
     ColorRange pixel(int x, int y) const;
@@ -43,10 +44,22 @@ class Picture {
     int height() const { return height_; }
 
   private:
-    glm::dvec3 color(Vec origin, Vec direction, int depth) const;
+    /// Dielectric bodies that a ray is inside of, each by its first object; by what importance they have.
+    using Bodies = std::vector<int>;
+    Bodies bodiesAt(Vec point) const;
+    int bodyOf(int object) const;
+    bool moreImportant(int body, int than) const;
+    Bodies beyond(const SceneHit&, Bodies& inside) const;
+    Dielectric mediumOf(const Bodies&) const;
+
+    /// `passed`: surfaces since the last that bent or mirrored.
+    glm::dvec3 color(Vec origin, Vec direction, int depth, Bodies inside, int passed = 0) const;
+    glm::dvec3 scattered(const Material&, const SceneHit&, Vec direction, int depth, const Bodies& inside,
+                         const Bodies& beyond) const;
     void widenAtEdges(ColorRange&, int x, int y) const;
+    glm::dvec3 reflectance(const Material&, long double cosine, long double eta) const;
     glm::dvec3 shade(const Material&, const SceneHit&, Vec direction) const;
-    bool lit(Vec start, Vec light) const;
+    bool lit(Vec start, Vec way, long double end) const;
 
     Scene scene_;
     std::vector<SceneShape> shapes_, casters_;

@@ -19,6 +19,7 @@ struct Vec3 {
     explicit Vec3(const Vec3<Other>& v) : x(R(v.x)), y(R(v.y)), z(R(v.z)) {}
 
     R& operator[](int i) { return i == 0 ? x : i == 1 ? y : z; }
+    const R& operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
 };
 
 template<class R>

@@ -1,5 +1,6 @@
 #include "lab/reference/textbook/source_scene.h"
 
+#include <algorithm>
 #include <array>
 
 namespace gnomon {
@@ -7,19 +8,19 @@ namespace {
 
 constexpr double kSkyDistance = 10000;
 
-/// A face of a cube map: where it lies, and the ways in which its image's columns and rows run (OpenGL 4.6,
-/// table 8.19).
+/// A face of a cube map: where it lies, and the ways in which its image's columns and rows run: OpenGL 4.6, table 8.19,
+/// with x mirrored (docs/scenes.md).
 struct SkyFace {
     const char* suffix;
     glm::dvec3 outward, across, down;
 };
 constexpr std::array<SkyFace, 6> kSkyFaces{{
-    {"-px", {1, 0, 0}, {0, 0, -1}, {0, -1, 0}},
-    {"-nx", {-1, 0, 0}, {0, 0, 1}, {0, -1, 0}},
-    {"-py", {0, 1, 0}, {1, 0, 0}, {0, 0, 1}},
-    {"-ny", {0, -1, 0}, {1, 0, 0}, {0, 0, -1}},
-    {"-pz", {0, 0, 1}, {1, 0, 0}, {0, -1, 0}},
-    {"-nz", {0, 0, -1}, {-1, 0, 0}, {0, -1, 0}},
+    {"-px", {-1, 0, 0}, {0, 0, -1}, {0, -1, 0}},
+    {"-nx", {1, 0, 0}, {0, 0, 1}, {0, -1, 0}},
+    {"-py", {0, 1, 0}, {-1, 0, 0}, {0, 0, 1}},
+    {"-ny", {0, -1, 0}, {-1, 0, 0}, {0, 0, -1}},
+    {"-pz", {0, 0, 1}, {-1, 0, 0}, {0, -1, 0}},
+    {"-nz", {0, 0, -1}, {1, 0, 0}, {0, -1, 0}},
 }};
 
 /// Shows all of the image once: a plane's uv is in scene units, from the stated point on
@@ -82,6 +83,7 @@ glm::dvec3 toReference(const Shape& shape) { return referencePoint(shape) - refe
 
 Scene sourceScene(const Scene& scene) {
     Scene source = scene;
+    source.fresnel = Fresnel::Schlick;
     source.objects.clear();
     std::vector<int> first; // part of each object
     for (const Object& object : scene.objects) {
@@ -99,6 +101,18 @@ Scene sourceScene(const Scene& scene) {
     }
     if (!scene.background.cubemap.empty()) addSky(source);
     return source;
+}
+
+std::string beyondSource(const Scene& scene) {
+    const auto anyLight = [&](auto which) { return std::any_of(scene.lights.begin(), scene.lights.end(), which); };
+    const auto anyMaterial = [&](auto which) {
+        return std::any_of(scene.materials.begin(), scene.materials.end(), which);
+    };
+    if (anyLight([](const Light& light) { return light.kind == LightKind::Spot; })) return "spot lights";
+    if (anyLight([](const Light& light) { return light.falloff > 0; })) return "lights that fall off with distance";
+    if (anyMaterial([](const Material& m) { return m.checker.has_value(); })) return "checkers";
+    if (anyMaterial([](const Material& m) { return std::holds_alternative<Mirror>(m.optics); })) return "mirrors";
+    return {};
 }
 
 } // namespace gnomon

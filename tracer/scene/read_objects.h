@@ -1,0 +1,57 @@
+/// Reads the objects of a scene file: groups and instances are taken apart, meshes become triangles.
+#pragma once
+
+#include "tracer/scene/object_names.h"
+#include "tracer/scene/read_scene.h"
+
+#include <map>
+#include <string>
+#include <vector>
+
+namespace gnomon {
+
+class ObjectsReader {
+  public:
+    /// `files` gives meshes.
+    ObjectsReader(const ObjectReader& root, const std::vector<Material>& materials,
+                  const std::map<std::string, int>& materialNames, const SceneFiles&, SceneReport&);
+
+    /// All that is drawn, in the order of the file.
+    std::vector<Object> read();
+    void reportUnknownMaterials() const;
+
+  private:
+    /// What is read into: the scene, or a definition.
+    struct Target {
+        std::vector<Object> objects;
+        ObjectNames names;
+    };
+    struct Definition {
+        ObjectReader::Member member;
+        enum class State : char { New, BeingRead, Read } state = State::New;
+        std::vector<Object> objects;
+    };
+
+    void readObject(const ObjectReader&, Target&);
+    void readGroup(const ObjectReader&, Target&);
+    void readInstance(const ObjectReader&, Target&);
+    void readMesh(const ObjectReader&, Target&);
+    void readDefinition(Definition&);
+    void place(const ObjectReader& group, std::size_t from, Target&);
+    void readMaterial(const ObjectReader&, std::size_t from, Target&);
+    void readMotion(const ObjectReader&, std::size_t from, Target&);
+    void readGlow(const ObjectReader&, std::size_t from, Target&);
+    bool hasRoom(std::size_t more, const ObjectReader&, const Target&);
+
+    const ObjectReader& root_;
+    const std::vector<Material>& materials_;
+    const std::map<std::string, int>& materialNames_;
+    const SceneFiles& files_;
+    SceneReport& report_;
+    std::map<std::string, Definition> definitions_;
+    UnknownNames unknownMaterials_, unknownDefinitions_;
+    std::size_t made_ = 0; ///< objects, those of definitions as well
+    bool full_ = false;
+};
+
+} // namespace gnomon
