@@ -1,5 +1,6 @@
 /// Whole scenes at random: every shape, solids of several levels, every sort of material, light and motion, objects
-/// that touch or coincide, planets to stand on.
+/// that touch or coincide, planets to stand on. No Mandelbulb of glass, and marches of 24 steps: llvmpipe's loops end
+/// (docs/software-gl.md).
 #pragma once
 
 #include "tracer/settings/settings.h"
