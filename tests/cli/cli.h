@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -42,8 +43,9 @@ class Cli : public ::testing::Test {
     }
     ~Cli() override { fs::remove_all(folder_); }
 
+    /// Two may run at once.
     Answer gnomon(const std::string& words, const std::string& before = "env -u DISPLAY -u WAYLAND_DISPLAY") {
-        const fs::path err = folder_.string() + ".stderr";
+        const fs::path err = folder_.string() + ".stderr" + std::to_string(++runs_);
         const std::string command =
             "cd '" + folder_.string() + "' && " + before + " '" + binary() + "' " + words + " 2>'" + err.string() + "'";
         Answer run;
@@ -73,6 +75,7 @@ class Cli : public ::testing::Test {
     std::size_t files() const { return std::size_t(std::distance(fs::directory_iterator(folder_), {})); }
 
     fs::path folder_;
+    std::atomic<int> runs_ = 0;
 };
 
 inline const char* const kScene = R"({

@@ -3,6 +3,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include <future>
+#include <utility>
+
 namespace fs = std::filesystem;
 
 namespace {
@@ -15,19 +18,24 @@ std::string after(int seconds, const std::string& signal) {
 } // namespace
 
 TEST_F(Cli, BenchAndLabsKeepWhatTheyMeasuredWhereTheyAreInterrupted) {
-    int file = 0;
-    for (const char* signal : {"INT", "TERM"})
-        for (const char* command :
-             {"bench lite --depth=1 --shadows=off --size=32x24 --repeats=10000",
-              "lab intersect --shapes=sphere,disc --rays=100000",
-              "lab trace --scenes=simple --spheres=10 --size=32x24 --repeats=1000",
-              "lab shadows --scenes=simple --models=hard --size=640x480 --reference=16 --repeats=1000"}) {
-            const std::string name = std::to_string(++file) + ".json";
-            const Answer run = gnomon(std::string(command) + " --json=" + name, after(8, signal));
-            EXPECT_EQ(run.code, 130) << command << "\n" << run.err;
-            EXPECT_TRUE(nlohmann::json::accept(readText(folder_ / name))) << command;
-            EXPECT_NE(run.out.find("nterrupted: what "), std::string::npos) << run.out;
+    for (const char* command :
+         {"bench lite --depth=1 --shadows=off --size=32x24 --repeats=10000",
+          "lab intersect --shapes=sphere,disc --rays=100000",
+          "lab trace --scenes=simple --spheres=10 --size=32x24 --repeats=1000",
+          "lab shadows --scenes=simple --models=hard --size=640x480 --reference=16 --repeats=1000"}) {
+        const auto interrupted = [&](const std::string& signal) {
+            return gnomon(std::string(command) + " --json=" + signal + ".json", after(8, signal));
+        };
+        auto byInt = std::async(std::launch::async, interrupted, "INT");
+        const Answer byTerm = interrupted("TERM");
+        for (const auto& [run, signal] : {std::pair(byInt.get(), "INT"), std::pair(byTerm, "TERM")}) {
+            EXPECT_EQ(run.code, 130) << command << signal << "\n" << run.err;
+            EXPECT_NE(run.out.find("nterrupted: what "), std::string::npos) << command << signal << "\n" << run.out;
+            const fs::path file = folder_ / (std::string(signal) + ".json");
+            EXPECT_TRUE(nlohmann::json::accept(readText(file))) << command << signal;
+            fs::remove(file);
         }
+    }
 }
 
 TEST_F(Cli, EndsWithOneCodeWhereItIsInterruptedAndLeavesTheOldFile) {

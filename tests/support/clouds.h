@@ -25,6 +25,14 @@ class Dice {
     std::mt19937_64 random_;
 };
 
+/// How many of `count` random rays a test takes: sanitizers watch what is read and written, for which a fifth will do.
+inline int sampled(double count) {
+#ifdef GNOMON_SANITIZED
+    count /= 5;
+#endif
+    return int(count);
+}
+
 using Spheres = std::vector<Shape>;
 
 /// Of float32 values.

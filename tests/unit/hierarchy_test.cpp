@@ -161,7 +161,7 @@ TEST_P(HierarchyOf, IsTheSameEachTime) {
 TEST_P(HierarchyOf, FindsWhatAskingAllFinds) {
     const Tree tree(bounds, {0, 1, 5});
     Dice dice(7);
-    const int rays = int(std::min(20000.0, 3e7 / double(balls.size())));
+    const int rays = sampled(std::min(20000.0, 3e7 / double(balls.size())));
     int hits = 0;
     Visits threaded, ordered;
     for (int i = 0; i < rays; ++i) {

@@ -243,7 +243,7 @@ class WalkOfTexels : public testing::TestWithParam<std::string> {
 TEST_P(WalkOfTexels, ComesToEveryBoxThatTheRayMeets) {
     const double size = sizeOf(whole(boxes));
     Dice dice(5);
-    const int rays = int(std::min(4000.0, 4e6 / double(boxes.size())));
+    const int rays = sampled(std::min(4000.0, 4e6 / double(boxes.size())));
     double met = 0, asked = 0;
     for (const double sizes : {0.5, 3.0, 100.0, 1e4, 1e5, 1e6})
         for (int i = 0; i < rays; ++i) {
@@ -292,7 +292,7 @@ class WalkAmongSpheres : public testing::TestWithParam<std::string> {
         const auto texels = texelsOf(hierarchy, middle + glm::dvec3(5, 1, 2));
         Dice dice(6);
         Visits visits;
-        const int rays = int(std::min(20000.0, 1e7 / double(balls.size())));
+        const int rays = sampled(std::min(20000.0, 1e7 / double(balls.size())));
         int hits = 0;
         for (int i = 0; i < rays; ++i) {
             const Ray ray = rayAmong(dice, balls, from * std::pow(to / from, dice.number(0, 1)), middle);

@@ -2,24 +2,14 @@
 import { after, before, describe, test } from 'node:test';
 import { strict as assert } from 'node:assert';
 import { browserNames, differences, launch, openPage, picture, until } from './browsers.mjs';
+import { eyeOf, far, get, goHome, numbers, set, targetOf } from './page_values.mjs';
 import { serve } from './server.mjs';
 import { sharedBrowser } from './shared_browser.mjs';
 
 const small = 'size=160x120'; // a software renderer traces it
 const still = `${small}&pause=on`;
 
-const get = (page, key) => page.evaluate((name) => window.gnomon.get(name), key);
-const set = (page, key, value) => page.evaluate((name, text) => window.gnomon.set(name, text), key, value);
 const textOf = (page, selector) => page.$eval(selector, (element) => element.textContent);
-const numbers = (text) => text.split(',').map(Number);
-const far = (a, b) => Math.hypot(...a.map((value, i) => value - b[i]));
-/** The setting `eye` is empty while the camera stands where the scene put it: lite puts it here. */
-const eyeOf = async (page) => numbers((await get(page, 'eye')) || '0,0,35');
-const targetOf = async (page) => numbers((await get(page, 'target')) || '0,0,0');
-const goHome = async (page) => {
-  await set(page, 'eye', '0,0,35');
-  await set(page, 'target', '0,0,0');
-};
 /** A spot of the picture that nothing lies over. */
 const spot = { x: 300, y: 240 };
 
@@ -112,42 +102,6 @@ for (const name of browserNames)
       await page.keyboard.press('g');
       await page.evaluate(() => document.activeElement.blur());
       assert.equal(await get(page, 'glow'), 'on');
-    });
-
-    /** How fast the camera goes with the key held, in units a second. */
-    const walk = async (key, ms = 500) => {
-      await goHome(page);
-      await page.evaluate(() => window.gnomon.settled()); // no compiling between the frames
-      const drawn = await page.evaluate(() => window.gnomon.frames);
-      await until('frames that flow again', () => page.evaluate((from) => window.gnomon.frames > from + 4, drawn));
-      const start = performance.now();
-      await page.keyboard.down(key);
-      await new Promise((resolve) => setTimeout(resolve, ms));
-      await page.keyboard.up(key);
-      const seconds = (performance.now() - start) / 1000;
-      return (await eyeOf(page)).map((value, axis) => (value - [0, 0, 35][axis]) / seconds);
-    };
-
-    test('W A S D move along the view', async () => {
-      await set(page, 'depth', '1');
-      for (const [key, axis, sign] of [
-        ['w', 2, -1],
-        ['s', 2, 1],
-        ['a', 0, -1],
-        ['d', 0, 1],
-      ]) {
-        const way = await walk(key);
-        assert.ok(way[axis] * sign > 0.5, `${key}: ${way}`);
-        assert.ok(Math.abs(way[2 - axis]) < 1e-3, `${key} goes straight: ${way}`);
-      }
-    });
-
-    test('Shift halves the speed', async () => {
-      const full = -(await walk('w', 900))[2];
-      await page.keyboard.down('Shift');
-      const half = -(await walk('w', 900))[2];
-      await page.keyboard.up('Shift');
-      assert.ok(half > 0.25 * full && half < 0.8 * full, `${full} and ${half}`);
     });
 
     test('a mouse drag looks around without moving', async () => {
@@ -379,16 +333,6 @@ for (const name of browserNames)
       await withPage('scene=pro&size=320x240&pause=on', {}, async (own) => {
         await until('the full resolution', () => shown(own));
         assert.ok((await shown(own)) >= (await own.evaluate(() => window.gnomon.firstFrameMs)));
-      });
-    });
-
-    test('without adapting every picture has its full resolution', async () => {
-      await withPage(`${small}&adapt=off`, {}, async (own) => {
-        const [first, sharp] = await own.evaluate(async () => {
-          while (!window.gnomon.sharpFrameMs) await new Promise((resolve) => setTimeout(resolve, 20));
-          return [window.gnomon.firstFrameMs, window.gnomon.sharpFrameMs];
-        });
-        assert.ok(Math.abs(first - sharp) < 500, `first ${first}, sharp ${sharp}`);
       });
     });
 

@@ -39,7 +39,7 @@ for (const name of browserNames)
       test(`${scene} is the source's picture, at least ${least} times as fast`, async () => {
         const { ours, source } = await openPair(browser, server.url, { scene, size });
         const share = shareWithin(await picture(ours), await picture(source), 24);
-        const { ratios } = await timeInTurns({ ours, source }, 5);
+        const { ratios } = await timeInTurns({ ours, source }, 3);
         const all = ratios.map((ratio) => ratio.toFixed(2)).join(' ');
         const text = `${(100 * share).toFixed(2)} % alike; ${median(ratios).toFixed(2)} times as fast (${all})`;
         console.log(`# ${name} ${scene}: ${text}`);
