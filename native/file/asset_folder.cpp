@@ -134,9 +134,9 @@ std::optional<fs::path> AssetFolder::imageFileOf(const Scene& scene, const std::
     // Beside the scene; one that came through a pipe stands in the folder that the program was started in.
     const fs::path folder = isFile(scene.file) ? fs::path(scene.file).parent_path() : fs::path();
     const std::vector<std::string> files = filesNamed(name);
-    for (const fs::path& place : {folder, root_ / "textures"})
+    for (const fs::path& parent : {folder, root_ / "textures"})
         for (const std::string& file : files)
-            if (isFile(place / file)) return place / file;
+            if (isFile(parent / file)) return parent / file;
     problems.push_back({scene.file,
                         0,
                         {},

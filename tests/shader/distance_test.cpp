@@ -65,9 +65,9 @@ int pointsAShape() {
     return asked ? std::atoi(asked) : 200000;
 }
 
-enum class Place { Around, Near, Far, Axis, Edge };
-constexpr std::array<Place, 5> kPlaces{Place::Around, Place::Near, Place::Far, Place::Axis, Place::Edge};
-constexpr const char* kPlaceNames[] = {"around", "near", "far", "axis", "edge"};
+enum class Region { Around, Near, Far, Axis, Edge };
+constexpr std::array<Region, 5> kRegions{Region::Around, Region::Near, Region::Far, Region::Axis, Region::Edge};
+constexpr const char* kRegionNames[] = {"around", "near", "far", "axis", "edge"};
 
 /// An endless, reproducible stream of points about one placed shape. Every second one is near the one before.
 class Points {
@@ -83,11 +83,11 @@ class Points {
         measures_.assign(measures.begin(), measures.end());
     }
 
-    BatchPoint next(Place place) {
+    BatchPoint next(Region region) {
         near_ = !near_;
         if (near_)
-            last_ = anywhere(place);
-        else if (place != Place::Edge)
+            last_ = anywhere(region);
+        else if (region != Region::Edge)
             last_ = last_ + std::pow(10.0, stream_.number(-7, 0)) * shape_.size() * stream_.direction();
         const Vec3<double> viewpoint = (stream_.number(0, 1) < 0.5 ? -2.0 : 2.0) * axis_ + 1.5 * stream_.direction();
         return {inWorld(last_), inWorld(viewpoint)};
@@ -95,18 +95,18 @@ class Points {
 
   private:
     glm::vec3 inWorld(const Vec3<double>& p) const { return toFloat(shape_.middle() + Point(p)); }
-    Vec3<double> anywhere(Place place) {
+    Vec3<double> anywhere(Region region) {
         const double size = shape_.size();
         const auto some = [&](double most) { return stream_.number(-most, most) * size; };
-        switch (place) {
-        case Place::Around: return {some(4), some(4), some(4)};
-        case Place::Near: {
+        switch (region) {
+        case Region::Around: return {some(4), some(4), some(4)};
+        case Region::Near: {
             const Vec3<double> spot = stream_.surface().point; // of a flat shape on its rim
             return (shape_.closed() ? 1 : stream_.number(0, 1)) * spot + some(1e-3) * stream_.direction();
         }
-        case Place::Far: return 1000 * size * stream_.direction();
-        case Place::Axis: return some(3) * axis_;
-        case Place::Edge: break; // of an upright shape: its centre, edges and vertices, and much between them
+        case Region::Far: return 1000 * size * stream_.direction();
+        case Region::Axis: return some(3) * axis_;
+        case Region::Edge: break; // of an upright shape: its centre, edges and vertices, and much between them
         }
         const auto measure = [&] { return measures_[std::size_t(stream_.number(0, double(measures_.size())))]; };
         const Vec3<double> held(-shape_.middle());
@@ -217,7 +217,7 @@ Errors errorsOf(const Shape& shape, const std::vector<BatchPoint>& points, const
     return errors;
 }
 
-/// Upright and turned, all places; ready for mutated shaders.
+/// Upright and turned, all regions; ready for mutated shaders.
 Errors measured(const Subject& subject, int points, std::span<const ShaderFile> overrides, bool tell) {
     Errors all;
     for (const RayClass stance : {RayClass::Axis, RayClass::Uniform}) {
@@ -226,16 +226,16 @@ Errors measured(const Subject& subject, int points, std::span<const ShaderFile> 
         DistanceBatch batch(sceneOf({shape}), problems, overrides);
         EXPECT_TRUE(batch.valid()) << toString(problems);
         if (!batch.valid()) return all;
-        for (const Place place : kPlaces) {
-            if (place == Place::Edge && stance != RayClass::Axis) continue;
+        for (const Region region : kRegions) {
+            if (region == Region::Edge && stance != RayClass::Axis) continue;
             Points stream(shape);
             std::vector<BatchPoint> asked(std::size_t(points / 9 + 1));
-            for (BatchPoint& point : asked) point = stream.next(place);
+            for (BatchPoint& point : asked) point = stream.next(region);
             const Errors errors = errorsOf(shape, asked, batch.measure(asked));
             if (tell)
                 errors.print(subject.name() + (stance == RayClass::Axis ? " upright " : " turned ") +
-                             kPlaceNames[int(place)]);
-            if (place == Place::Around) {
+                             kRegionNames[int(region)]);
+            if (region == Region::Around) {
                 EXPECT_GE(errors.smooth, errors.points * 99 / 100);
             }
             all.add(errors);

@@ -31,7 +31,7 @@ struct Landscape {
     Vec light;
     std::vector<Ball> balls;
 
-    /// Five balls about the place x along the ground.
+    /// Five balls about the point x along the ground.
     explicit Landscape(Real x) : light(glm::vec3(ground.over(x + 30, 15, 20))) {
         for (const auto& [along, across, radius] :
              {std::array{0.0L, 0.0L, 0.5L}, {1, 1.1L, 0.2L}, {2, -1, 0.1L}, {3.5L, -0.4L, 0.02L}, {5.5L, 0.2L, 0.005L}})
@@ -95,14 +95,14 @@ struct PictureFaults {
 
 // Small balls on a large ground, where the scene's camera stands and far from there.
 TEST(LargeSpherePicture, ShowsEveryPixelOfObjectsAndShadowsLikeTheOracle) {
-    for (const Real place : {0.0L, 3000.0L})
+    for (const Real along : {0.0L, 3000.0L})
         for (const Real height : {1.0L, 0.05L}) {
-            SCOPED_TRACE(format("%Lg from the scene's camera, %Lg above the ground", place, height));
-            const Landscape landscape(place);
+            SCOPED_TRACE(format("%Lg from the scene's camera, %Lg above the ground", along, height));
+            const Landscape landscape(along);
             const Scene scene = landscape.scene();
             CameraPose pose = scene.camera;
-            pose.eye = glm::dvec3(landscape.ground.over(place - 6, 0, height));
-            pose.target = glm::dvec3(landscape.ground.over(place, 0, height * 0.6L));
+            pose.eye = glm::dvec3(landscape.ground.over(along - 6, 0, height));
+            pose.target = glm::dvec3(landscape.ground.over(along, 0, height * 0.6L));
             pose.up = glm::dvec3(landscape.ground.up);
             pose.fov = 50;
             const auto output = [&](Aov aov) {
@@ -115,7 +115,7 @@ TEST(LargeSpherePicture, ShowsEveryPixelOfObjectsAndShadowsLikeTheOracle) {
             };
             offscreen();
             const PictureFaults faults(landscape, pose, output(Aov::Object), output(Aov::Visibility));
-            std::printf("%4Lg along, %4Lg above: %d wrong, %d unsure of %d pixels, %d of the ground in shadow\n", place,
+            std::printf("%4Lg along, %4Lg above: %d wrong, %d unsure of %d pixels, %d of the ground in shadow\n", along,
                         height, faults.wrong, faults.unsure, 320 * 240, faults.dark);
             EXPECT_EQ(faults.wrong, 0);
             EXPECT_LE(faults.unsure, 320 * 240 / 500);

@@ -59,9 +59,9 @@ TEST(DirectionalLight, IsAsStrongEverywhereAndShadowedFromAnyDistance) {
 // Each model that takes a directional light draws it as it draws a small light far away.
 TEST(DirectionalLight, IsServedByTheModelsThatSaySo) {
     const Scene parallel = under(kDirectional);
-    const glm::dvec3 place = -3000.0 * parallel.lights[0].direction;
+    const glm::dvec3 position = -3000.0 * parallel.lights[0].direction;
     Scene distant = under(R"({"point": {"position": [0, 0, 0]}, "color": 0.8})");
-    distant.lights[0].position = place;
+    distant.lights[0].position = position;
     for (const ShadowRow& row : kShadowModels) {
         if (!row.parallel) continue;
         Settings settings = sized(64, 48, 1);
@@ -132,9 +132,8 @@ TEST(Falloff, IsTheSquareOfTheDistance) {
 // Whatever of it a scene has, in both preludes.
 TEST(LightsAndMaterials, CompileInEveryCombination) {
     offscreen();
-    const std::vector<std::string> lights{
-        "", R"({"point": {"position": [0, 1, 0]}})", kDirectional,
-        R"({"spot": {"position": [0, 3, 0], "direction": [0, -1, 0]}},
+    const std::vector<std::string> lights{"", R"({"point": {"position": [0, 1, 0]}})", kDirectional,
+                                          R"({"spot": {"position": [0, 3, 0], "direction": [0, -1, 0]}},
            {"point": {"position": [0, 1, 0]}, "falloff": 2})"};
     const std::vector<std::string> materials{
         R"("checker": {"colors": [1, 0]}, "mirror": 0.5)", R"("mirror": 0.5)", R"("coat": {"ior": 1.5})",
@@ -176,9 +175,9 @@ Scene checkered(const std::string& camera, const std::string& checker) {
 
 TEST(Checker, HasItsColoursInSquaresOfTheSurfacesCoordinates) {
     const auto at = [](double x, double z) {
-        const std::string place = std::to_string(x) + ", ", z_ = ", " + std::to_string(z) + "]";
-        const Scene scene = checkered(R"({"up": [0, 0, -1], "fov": 1, "eye": [)" + place + "8" + z_ +
-                                          R"(, "target": [)" + place + "0" + z_ + "}",
+        const std::string position = std::to_string(x) + ", ", z_ = ", " + std::to_string(z) + "]";
+        const Scene scene = checkered(R"({"up": [0, 0, -1], "fov": 1, "eye": [)" + position + "8" + z_ +
+                                          R"(, "target": [)" + position + "0" + z_ + "}",
                                       R"({"colors": [[1, 0.5, 0], 0.25], "scale": [2, 1]})");
         Settings settings = sized(9, 9, 1);
         const float* p = outputOf(scene, settings, Aov::Color).at(4, 4);

@@ -47,7 +47,7 @@ class Dice {
     std::mt19937_64 engine_;
 };
 
-struct Place {
+struct Receiver {
     BatchLit lit;
     glm::dvec3 normal{0};
 };
@@ -64,8 +64,8 @@ std::pair<glm::dvec3, glm::dvec3> onTube(const Ring& ring, double u, double v) {
     return {ring.center + ring.major * out + ring.minor * normal, normal};
 }
 
-Place placeFrom(From from, const Ring& ring, Dice& dice) {
-    Place place;
+Receiver receiverFrom(From from, const Ring& ring, Dice& dice) {
+    Receiver receiver;
     for (;;) {
         const double turn = 6.283185307179586;
         auto [point, normal] = onTube(ring, dice.number(0, turn), dice.number(0, turn));
@@ -82,13 +82,13 @@ Place placeFrom(From from, const Ring& ring, Dice& dice) {
         const double radius = std::pow(10.0, dice.number(std::log10(0.05), std::log10(4.0)));
         if (radius > 0.9 * away || ring.distance(light) < radius) continue;
         if (from != From::Itself && ring.distance(point) < 1e-4) continue;
-        place.lit.point = point;
-        place.lit.light = light;
-        place.lit.radius = float(radius);
-        place.lit.normal = from == From::Itself ? normal : towards;
-        place.lit.object = from == From::Itself ? 0 : -1;
-        if (from == From::Itself) place.normal = normal;
-        return place;
+        receiver.lit.point = point;
+        receiver.lit.light = light;
+        receiver.lit.radius = float(radius);
+        receiver.lit.normal = from == From::Itself ? normal : towards;
+        receiver.lit.object = from == From::Itself ? 0 : -1;
+        if (from == From::Itself) receiver.normal = normal;
+        return receiver;
     }
 }
 
@@ -104,18 +104,18 @@ bool meets(const Ring& ring, glm::dvec3 point, glm::dvec3 v) {
 }
 
 /// Fraction of the light's disc that `count` rays see.
-double seenByRays(const Ring& ring, const Place& place, int count) {
-    const glm::dvec3 point(place.lit.point), toLight = glm::dvec3(place.lit.light) - point;
-    const double distance = glm::length(toLight), sine = std::min(double(place.lit.radius) / distance, 0.999);
+double seenByRays(const Ring& ring, const Receiver& receiver, int count) {
+    const glm::dvec3 point(receiver.lit.point), toLight = glm::dvec3(receiver.lit.light) - point;
+    const double distance = glm::length(toLight), sine = std::min(double(receiver.lit.radius) / distance, 0.999);
     const glm::dvec3 x = sine / std::sqrt(1 - sine * sine) * distance * turnedAbout(toLight / distance),
                      y = glm::cross(toLight / distance, x);
-    const bool own = place.lit.object >= 0;
-    const glm::dvec3 start = own ? point + 1e-6 * place.normal : point;
+    const bool own = receiver.lit.object >= 0;
+    const glm::dvec3 start = own ? point + 1e-6 * receiver.normal : point;
     int seen = 0;
     for (int i = 0; i < count; ++i) {
         const double r = std::sqrt((i + 0.5) / count), phi = 2.399963229728653 * i;
         const glm::dvec3 v = toLight + r * (std::cos(phi) * x + std::sin(phi) * y);
-        if (own && glm::dot(v, place.normal) <= 0) continue;
+        if (own && glm::dot(v, receiver.normal) <= 0) continue;
         seen += !meets(ring, start, v);
     }
     return double(seen) / count;
@@ -130,10 +130,10 @@ TEST_P(RingCover, IsWhatRaysSee) {
     const glm::dvec3 axis = glm::dvec3(glm::vec3(dice.direction()));
     const Ring ring{{0.25, -0.5, 1}, axis / glm::length(axis), 1, minor};
     const Shape shape = makeShape(ShapeKind::Torus, {ring.center, ring.axis}, {ring.major, ring.minor});
-    constexpr int places = 400, rays = 4096;
-    std::vector<Place> all;
+    constexpr int receivers = 400, rays = 4096;
+    std::vector<Receiver> all;
     std::vector<BatchLit> lit;
-    for (int i = 0; i < places; ++i) all.push_back(placeFrom(from, ring, dice)), lit.push_back(all.back().lit);
+    for (int i = 0; i < receivers; ++i) all.push_back(receiverFrom(from, ring, dice)), lit.push_back(all.back().lit);
     Settings settings;
     settings.shadows = ShadowModel::Silhouette;
     Problems problems;
@@ -142,14 +142,14 @@ TEST_P(RingCover, IsWhatRaysSee) {
     const auto shades = batch.shade(lit);
     double squares = 0, worst = 0;
     int soft = 0;
-    for (int i = 0; i < places; ++i) {
+    for (int i = 0; i < receivers; ++i) {
         const double exact = seenByRays(ring, all[i], rays), error = std::abs(shades[i].visibility - exact);
         soft += exact > 0.01 && exact < 0.99;
-        squares += error * error / places;
+        squares += error * error / receivers;
         worst = std::max(worst, error);
     }
-    std::printf("rms %.4f worst %.4f, %d of %d soft\n", std::sqrt(squares), worst, soft, places);
-    EXPECT_GT(soft, places / 20);
+    std::printf("rms %.4f worst %.4f, %d of %d soft\n", std::sqrt(squares), worst, soft, receivers);
+    EXPECT_GT(soft, receivers / 20);
     EXPECT_LE(std::sqrt(squares), 0.002);
     EXPECT_LE(worst, from == From::Near ? 0.015 : 0.01);
 }

@@ -14,7 +14,7 @@ namespace {
 
 using namespace test;
 
-/// Answers of a function of the shader for `x` in place of a model's, which gets it as the light's radius.
+/// Answers of a function of the shader for `x` in coordinate of a model's, which gets it as the light's radius.
 std::vector<double> answersOf(const std::string& expression, const std::vector<double>& xs) {
     const std::string text =
         "// Test\n#include \"shadow/cone.glsl\"\n#include \"shadow/fraction_inverse.glsl\"\n"
@@ -176,9 +176,9 @@ constexpr const char* kOccluders = R"({"sphere": {"center": [0.3, 0.2, 2.5], "ra
 
 std::vector<BatchLit> everywhere(double radius) {
     std::mt19937 random(11);
-    std::uniform_real_distribution<float> place(-2.5f, 2.5f);
+    std::uniform_real_distribution<float> coordinate(-2.5f, 2.5f);
     std::vector<BatchLit> lit;
-    for (int i = 0; i < 3000; ++i) lit.push_back(under(radius, {place(random), place(random), 0}));
+    for (int i = 0; i < 3000; ++i) lit.push_back(under(radius, {coordinate(random), coordinate(random), 0}));
     return lit;
 }
 

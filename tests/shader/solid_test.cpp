@@ -49,13 +49,14 @@ bool smoothAt(const SolidNode& tree, glm::dvec3 p) {
 
 std::vector<BatchPoint> pointsAbout(const Scene& scene, int count) {
     std::mt19937 random(7);
-    std::uniform_real_distribution<double> place(-1.4, 1.4);
+    std::uniform_real_distribution<double> coordinate(-1.4, 1.4);
     const Shape& solid = scene.objects[0].shape;
     const glm::dvec3 center = pointOf(solid, "center");
     const double radius = lengthOf(solid, "radius");
     std::vector<BatchPoint> points;
     for (int i = 0; i < count; ++i)
-        points.push_back({glm::vec3(center + radius * glm::dvec3(place(random), place(random), place(random)))});
+        points.push_back(
+            {glm::vec3(center + radius * glm::dvec3(coordinate(random), coordinate(random), coordinate(random)))});
     return points;
 }
 

@@ -88,8 +88,8 @@ inline Spheres inALine(int count) {
 inline Spheres growing(int count) {
     Spheres all;
     for (int i = 0; i < count; ++i) {
-        const double place = std::pow(1e-6, double(i) / count);
-        all.push_back(sphere({place, -place, 0.5 * place}, 0.1 * place));
+        const double scale = std::pow(1e-6, double(i) / count);
+        all.push_back(sphere({scale, -scale, 0.5 * scale}, 0.1 * scale));
     }
     return all;
 }

@@ -58,7 +58,7 @@ const std::vector<std::string> kShipped{"tracer", "lab", "native", "web"};
 
 struct Include {
     std::string from, to; ///< files
-    std::string place;    ///< file:line: what stands there
+    std::string line;     ///< file:line: what stands there
 };
 
 std::string roomOf(const std::string& file) {
@@ -101,7 +101,7 @@ std::vector<std::string> circlesIn(const std::vector<Include>& includes) {
         std::string lines;
         std::string room = start;
         do {
-            lines = "  " + entered[room]->place + "\n" + lines;
+            lines = "  " + entered[room]->line + "\n" + lines;
             room = roomOf(entered[room]->from);
             members.insert(room);
         } while (room != start);
@@ -149,12 +149,12 @@ TEST(Rooms, IncludeNoRoomThatIncludesThem) {
 
 TEST(Rooms, OfTheTracerKnowNeitherLabNorProgram) {
     for (const Include& include : includesOf(sourcesIn({"tracer"}, {".h", ".cpp"})))
-        EXPECT_TRUE(include.to.starts_with("tracer/") || include.to.find('/') == std::string::npos) << include.place;
+        EXPECT_TRUE(include.to.starts_with("tracer/") || include.to.find('/') == std::string::npos) << include.line;
 }
 
 TEST(Rooms, ThatAreShippedNeitherIncludeNorLinkTests) {
     for (const Include& include : includesOf(sourcesIn(kShipped, {".h", ".cpp"})))
-        EXPECT_FALSE(include.to.starts_with("tests/")) << include.place;
+        EXPECT_FALSE(include.to.starts_with("tests/")) << include.line;
     for (const Source& source : sourcesIn(kShipped, {".txt", ".cmake"}))
         for (const std::string& line : source.lines)
             EXPECT_EQ(line.substr(0, line.find('#')).find("tests/"), std::string::npos) << source.path << ": " << line;

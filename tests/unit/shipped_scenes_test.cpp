@@ -108,9 +108,9 @@ TEST(Lite, HangsItsMirrorBehindTheScene) {
 
 TEST(Lite, IsLitByThreeWhiteLightsAndSeenFromThirtyFive) {
     const Scene lite = shipped("lite");
-    const glm::dvec3 places[] = {{0, 0, 0}, {-2, 20, 0}, {20, 20, 0}};
+    const glm::dvec3 positions[] = {{0, 0, 0}, {-2, 20, 0}, {20, 20, 0}};
     for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_EQ(lite.lights[i].position, places[i]);
+        EXPECT_EQ(lite.lights[i].position, positions[i]);
         EXPECT_EQ(lite.lights[i].color, glm::dvec3(1));
     }
     EXPECT_EQ(lite.camera.eye, glm::dvec3(0, 0, 35));

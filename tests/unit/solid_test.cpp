@@ -40,10 +40,10 @@ TEST_P(Solid_, StandsInItsBall) {
     const Shape& shape = scene.objects[0].shape;
     ASSERT_EQ(shape.kind, ShapeKind::Solid);
     std::mt19937 random(5);
-    std::uniform_real_distribution<double> place(-2, 2);
+    std::uniform_real_distribution<double> coordinate(-2, 2);
     int inside = 0;
     for (int i = 0; i < 40000; ++i) {
-        const glm::dvec3 away(place(random), place(random), place(random));
+        const glm::dvec3 away(coordinate(random), coordinate(random), coordinate(random));
         const glm::dvec3 p = pointOf(shape, "center") + away;
         if (oracle::fieldOf(shape.solid->root, p) > 0) continue;
         ++inside;

@@ -13,10 +13,10 @@ namespace {
 
 std::vector<Bounds> cloud(int count, double radius, double spread, unsigned seed = 7) {
     std::mt19937 random(seed);
-    std::uniform_real_distribution<float> place(-float(spread), float(spread));
+    std::uniform_real_distribution<float> coordinate(-float(spread), float(spread));
     std::vector<Bounds> objects;
     for (int i = 0; i < count; ++i) {
-        const glm::vec3 center(place(random), place(random), place(random));
+        const glm::vec3 center(coordinate(random), coordinate(random), coordinate(random));
         objects.push_back({center - float(radius), center + float(radius)});
     }
     return objects;
@@ -149,8 +149,8 @@ TEST(Cells, TellHowManyTurnsALineTakes) {
         glm::ivec3 last(-1);
         bool inside = false;
         for (double t = -radius; t < radius; t += 0.002) { // finer than all but the shortest stays in a cell
-            const glm::dvec3 place = (origin + t * direction - glm::dvec3(grid.corner)) / glm::dvec3(grid.size);
-            const glm::ivec3 cell(glm::floor(place));
+            const glm::dvec3 point = (origin + t * direction - glm::dvec3(grid.corner)) / glm::dvec3(grid.size);
+            const glm::ivec3 cell(glm::floor(point));
             if (glm::any(glm::lessThan(cell, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(cell, grid.count)) ||
                 cell == last)
                 continue;
