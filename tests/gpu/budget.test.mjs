@@ -32,6 +32,8 @@ const budget = [
   { shader: ['pro'], waves: { navi21: 8, 'navi21/32': 8, gfx1100: 12, vega10: 2, polaris10: 2 } },
   { shader: ['torus'], waves: { navi21: 14, 'navi21/32': 12, gfx1100: 20, vega10: 3, polaris10: 3 } },
   { shader: ['shapes'], waves: { navi21: 8, 'navi21/32': 9, gfx1100: 14, vega10: 2, polaris10: 2 } },
+  // Clear bodies in one another: a ray carries what it is inside of.
+  { shader: ['tests/gpu/media.json'], waves: { navi21: 8, 'navi21/32': 9, gfx1100: 12, vega10: 2, polaris10: 2 } },
   { shader: ['pro', '--data=texture'], waves: { navi21: 8, 'navi21/32': 8, gfx1100: 12, vega10: 2, polaris10: 2 } },
   { shader: ['pro', '--depth=8'], waves: { navi21: 8, 'navi21/32': 8, gfx1100: 12, vega10: 2, polaris10: 2 } },
 ];
