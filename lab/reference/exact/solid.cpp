@@ -36,7 +36,7 @@ double distanceOf(const Shape& shape, glm::dvec3 p) {
     if (shape.kind == ShapeKind::Mandelbulb) return estimateOf(shape, p);
     const ExactShape<double> exact(shape, Values::OfTheScene);
     const auto middle = exact.middle();
-    return exact.distance({p.x - double(middle.x), p.y - double(middle.y), p.z - double(middle.z)});
+    return exact.boundedDistance({p.x - double(middle.x), p.y - double(middle.y), p.z - double(middle.z)});
 }
 
 double melted(double a, double b, double blend) {
