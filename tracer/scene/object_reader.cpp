@@ -114,18 +114,23 @@ bool endsAsHdr(std::string_view name) {
                       [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
 }
 
-bool checkImageName(const Place& place, ValueType type, std::string_view text) {
-    const auto refuse = [&](const char* remedy) {
-        return place.complain(inQuotes(text) + " is not an image's name", remedy);
-    };
+/// The name of a file beside the scene or below; `what` is in it.
+bool checkFileName(const Place& place, Range range, const std::string& what, std::string_view text) {
+    const auto refuse = [&](const char* remedy) { return place.complain(inQuotes(text) + " is not " + what, remedy); };
     const auto outlawed = [](unsigned char c) { return c < 0x20 || c == 0x7f || c == '\\'; };
-    if (!checkLength(place, kImageName, text)) return false;
+    if (!checkLength(place, range, text)) return false;
     if (std::any_of(text.begin(), text.end(), outlawed))
         return refuse("use no control characters, and / between folders");
     if (!staysInFolder(text))
         return refuse("name a file in the scene's folder or below it: no / at the beginning, no . and .. as folders");
+    return true;
+}
+
+bool checkImageName(const Place& place, ValueType type, std::string_view text) {
+    if (!checkFileName(place, kImageName, "an image's name", text)) return false;
     if (type != ValueType::Panorama && endsAsHdr(text))
-        return refuse("use a PNG or JPEG: only a background's image may be HDR");
+        return place.complain(inQuotes(text) + " is not an image's name",
+                              "use a PNG or JPEG: only a background's image may be HDR");
     return true;
 }
 
@@ -137,20 +142,6 @@ bool checkScales(const Place& place, Range range, glm::dvec3& target) {
     if (!checkNumber(place, range, number)) return false;
     target = glm::dvec3(number);
     return true;
-}
-
-/// As the schema's pattern has it.
-bool checkFileName(const Place& place, Range range, std::string_view text) {
-    bool begins = true, plain = !text.empty() && text.back() != '/';
-    for (const char c : text) {
-        const bool letter = std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-        plain = plain && (letter || (!begins && (c == '/' || c == ' ' || c == '.' || c == '-')));
-        begins = c == '/';
-    }
-    if (plain) return checkLength(place, range, text);
-    return place.complain(inQuotes(text) + " is not a file beside the scene",
-                          "write its name, or FOLDER/NAME: letters, digits, blanks, . - and _, none of them "
-                          "beginning with a dot");
 }
 
 } // namespace
@@ -176,6 +167,7 @@ ObjectReader::ObjectReader(const JsonValue& value, const ObjectFormat& format, s
     reportUnknownKeys();
     reportMissingKeys();
     reportAlternatives();
+    reportExclusions();
 }
 
 int ObjectReader::lineOf(std::string_view key) const {
@@ -243,6 +235,12 @@ void ObjectReader::reportAlternatives() const {
     }
 }
 
+void ObjectReader::reportExclusions() const {
+    for (const auto& [key, others, what, remedy] : format_->exclusions)
+        if (has(key) && std::any_of(others.begin(), others.end(), [&](auto other) { return has(other); }))
+            report_->add(lineOf(key), pathOf(key), std::string(what), std::string(remedy));
+}
+
 bool ObjectReader::read(std::string_view key, bool& target) const {
     const JsonValue* value = value_->find(key);
     if (!value || !Place{*value, pathOf(key), *report_}.expect(Kind::Boolean, "true or false")) return false;
@@ -264,7 +262,8 @@ bool ObjectReader::read(std::string_view key, std::string& target) const {
     if (field.type == ValueType::Text && !checkLength(place, field.range, value->text)) return false;
     const bool image = field.type == ValueType::Image || field.type == ValueType::Panorama;
     if (image && !checkImageName(place, field.type, value->text)) return false;
-    if (field.type == ValueType::File && !checkFileName(place, field.range, value->text)) return false;
+    if (field.type == ValueType::File && !checkFileName(place, field.range, "a file beside the scene", value->text))
+        return false;
     if (field.type == ValueType::Choice) {
         const auto& choices = field.choices;
         if (std::find(choices.begin(), choices.end(), value->text) == choices.end())
@@ -367,6 +366,13 @@ std::vector<ObjectReader::Member> ObjectReader::members(std::string_view key) co
         all.push_back({child.key, &child, member.path});
     }
     return all;
+}
+
+bool ObjectReader::readsAllOf(std::string_view key, const std::vector<Member>& read) const {
+    if (const JsonValue* value = value_->find(key))
+        return value->kind == Kind::Object && read.size() == value->children.size();
+    return std::none_of(value_->children.begin(), value_->children.end(),
+                        [&](const JsonValue& member) { return !closest(member.key, {key}).empty(); });
 }
 
 ObjectReader ObjectReader::open(std::string_view key, const Member& member) const {
