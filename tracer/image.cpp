@@ -105,12 +105,9 @@ Image decodeLight(std::span<const std::uint8_t> bytes) {
     return {header->width, header->height, std::move(*pixels), Image::Coding::SharedExponent};
 }
 
-const std::string kBroken = "it is broken or ends too early";
-
-/// As ": bad dist"; nothing where the file just ends.
 std::string decodersReason() {
     const char* reason = stbi_failure_reason();
-    return reason && *reason != '\0' ? std::string(": ") + reason : std::string();
+    return reason && *reason != '\0' ? std::string("it cannot be decoded: ") + reason : "it ends too early";
 }
 
 Image decodeBytes(std::span<const std::uint8_t> bytes) {
@@ -175,10 +172,10 @@ std::optional<Image> decodeImage(const std::string& name, std::span<const std::u
     mostOfABlock = 2 * std::max(std::size_t(header->decodeBytes), bytes.size()) + kSmallBlocks;
     if (isHdr(bytes)) {
         Image light = decodeLight(bytes);
-        return light.empty() ? refuse(kBroken) : std::optional(std::move(light));
+        return light.empty() ? refuse("it ends too early, or a run leaves its row") : std::optional(std::move(light));
     }
     Image image = decodeBytes(bytes);
-    if (image.empty()) return refuse(kBroken + decodersReason());
+    if (image.empty()) return refuse(decodersReason());
     return image;
 }
 

@@ -41,13 +41,18 @@ std::uint64_t decodedBytes(const fs::path& file) {
     return header ? header->pixels() * 4 : 0;
 }
 
+constexpr std::array<std::string_view, 4> kImageEndings{".png", ".jpg", ".jpeg", ".hdr"};
+
+bool endsAsAnImage(const std::string& name) {
+    std::string ending = fs::path(name).extension().string();
+    for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
+    return std::find(kImageEndings.begin(), kImageEndings.end(), ending) != kImageEndings.end();
+}
+
 /// Files that an image's name may mean, the first that exists is taken: docs/scenes.md tells the rule, and
 /// web/page/load.js has it too.
 std::vector<std::string> filesNamed(const std::string& name) {
-    constexpr std::array<std::string_view, 4> kEndings{".png", ".jpg", ".jpeg", ".hdr"};
-    std::string ending = fs::path(name).extension().string();
-    for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
-    if (std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end()) return {name};
+    if (endsAsAnImage(name)) return {name};
     std::vector<std::string> files;
     for (const char* added : {".png", ".PNG", ".jpg", ".JPG", ".jpeg", ".JPEG"}) files.push_back(name + added);
     return files;
@@ -137,12 +142,17 @@ std::optional<fs::path> AssetFolder::imageFileOf(const Scene& scene, const std::
     for (const fs::path& place : {folder, root_ / "textures"})
         for (const std::string& file : files)
             if (isFile(place / file)) return place / file;
-    problems.push_back({scene.file,
-                        0,
-                        {},
-                        "image '" + name + "' is missing",
-                        "put it at " + (folder / files[0]).string() + " or " +
-                            (root_ / "textures" / files[0]).string() + (files.size() > 1 ? ", or as .jpg" : "")});
+    std::string what = "is missing";
+    std::string remedy = "put it at " + (folder / files[0]).string() + " or " +
+                         (root_ / "textures" / files[0]).string() + (files.size() > 1 ? ", or as .jpg" : "");
+    if (isFile(folder / name)) {
+        what = "is of a format that is not read";
+        remedy = "convert it to PNG or JPEG, or to Radiance HDR if it is a background";
+    } else if (const std::string& cubemap = scene.background.cubemap;
+               endsAsAnImage(cubemap) && name.starts_with(cubemap)) {
+        remedy = "leave the ending out of the cube map's name: the files NAME-px and so on have it";
+    }
+    problems.push_back({scene.file, 0, {}, "image '" + name + "' " + what, remedy});
     return std::nullopt;
 }
 

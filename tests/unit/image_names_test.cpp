@@ -74,6 +74,24 @@ TEST_F(ImageNames, AreLookedForUnderTheirOwnEndingOnly) {
     EXPECT_NE(problems[0].what.find("image 'moon.jpg' is missing"), std::string::npos);
 }
 
+TEST_F(ImageNames, OfOtherFormatsAreToldAsThat) {
+    write("sky.exr", 2);
+    Problems problems;
+    EXPECT_EQ(sideOf("sky.exr", problems), 0);
+    ASSERT_EQ(problems.size(), 1U);
+    EXPECT_NE(problems[0].what.find("image 'sky.exr' is of a format that is not read"), std::string::npos);
+    EXPECT_EQ(problems[0].remedy.find("sky.exr.png"), std::string::npos);
+}
+
+TEST_F(ImageNames, OfACubeMapHaveNoEnding) {
+    Scene scene;
+    scene.background.cubemap = "sky.png";
+    Problems problems;
+    EXPECT_FALSE(AssetFolder(folder_ / "assets").readImages(scene, problems));
+    ASSERT_EQ(problems.size(), 6U);
+    EXPECT_NE(problems[0].remedy.find("leave the ending out"), std::string::npos);
+}
+
 // The schema's pattern and the reader agree.
 TEST_F(ImageNames, StayInTheScenesFolder) {
     const std::regex pattern(R"(^(?!\.{0,2}(/|$))(?!.*/\.{0,2}(/|$))(?!.*\.[hH][dD][rR]$)[^\\\x00-\x1f\x7f]+$)");
