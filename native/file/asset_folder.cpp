@@ -58,6 +58,27 @@ std::vector<std::string> filesNamed(const std::string& name) {
     return files;
 }
 
+/// What a background's images are not: squares of one size, or twice as wide as high. They are stretched then.
+void noteSizes(const Scene& scene, const NamedImages& images, Problems& notes) {
+    const std::string &cube = scene.background.cubemap, &panorama = scene.background.image;
+    const auto isFace = [&](const std::string& name) {
+        return !cube.empty() && name.size() == cube.size() + 3 && name.starts_with(cube); // CUBE-px
+    };
+    int side = 0;
+    for (const auto& [name, image] : images) {
+        std::string wanted;
+        if (isFace(name) && (image.width != image.height || (side != 0 && side != image.width)))
+            wanted = "those of a cube map are squares of one size";
+        else if (name == panorama && image.width != 2 * image.height)
+            wanted = "a background's is twice as wide as high";
+        if (isFace(name)) side = image.width;
+        if (wanted.empty()) continue;
+        const std::string size = std::to_string(image.width) + " x " + std::to_string(image.height);
+        notes.push_back({scene.file, 0, {}, "image '" + name + "' is stretched: it has " + size, wanted});
+        return;
+    }
+}
+
 /// Is `text` a path rather than a scene's name?
 bool looksLikeFile(const std::string& text) {
     return text.find('/') != std::string::npos || fs::path(text).extension() == ".json";
@@ -188,6 +209,7 @@ std::optional<NamedImages> AssetFolder::readImages(const Scene& scene, Problems&
         const std::string note = colorNote(span);
         if (notes && !note.empty()) notes->push_back({file.string(), 0, {}, note, "convert it to sRGB"});
     }
+    if (notes) noteSizes(scene, images, *notes);
     return problems.size() == before ? std::optional(std::move(images)) : std::nullopt;
 }
 
