@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 #include <utility>
 
 namespace gnomon {
@@ -70,6 +72,12 @@ Image white(int width, int height) {
 
 } // namespace
 
+std::size_t layerBytes(const std::vector<glm::ivec2>& sizes) {
+    glm::ivec2 most(0);
+    for (const glm::ivec2 size : sizes) most = glm::max(most, size);
+    return std::size_t(most.x) * std::size_t(most.y) * kChannels;
+}
+
 Layers::Layers(const std::vector<glm::ivec2>& sizes, bool srgb, int side, std::size_t bytes) : srgb_(srgb) {
     for (const glm::ivec2 size : sizes) tiles_.push_back({size});
     for (;;) {
@@ -87,6 +95,14 @@ Layers::Layers(const std::vector<glm::ivec2>& sizes, bool srgb, int side, std::s
         }
     }
     for (Tile& tile : tiles_) tile.size = {tileSide(tile.size.x, width_), tileSide(tile.size.y, height_)};
+}
+
+std::vector<int> Layers::largestFirst() const {
+    std::vector<int> order(tiles_.size());
+    std::iota(order.begin(), order.end(), 0);
+    const auto area = [&](int i) { return long(tiles_[std::size_t(i)].size.x) * tiles_[std::size_t(i)].size.y; };
+    std::ranges::stable_sort(order, std::greater(), area);
+    return order;
 }
 
 int Layers::levels() const {
@@ -111,11 +127,11 @@ void Layers::forEachLevel(int layer, Image image, const std::function<void(int, 
 
 glm::ivec2 paintedSize(glm::ivec2 color, glm::ivec2 mask) { return glm::max(glm::max(color, mask), 1); }
 
-Image painted(Image color, const Image& mask) {
+Image painted(Image color, Image mask) {
     const glm::ivec2 size = paintedSize({color.width, color.height}, {mask.width, mask.height});
     Image out = color.empty() ? white(size.x, size.y) : stretched(std::move(color), size.x, size.y);
-    const Image cover = mask.empty() ? Image() : stretched(mask, size.x, size.y);
-    for (std::size_t i = 0; i < out.rgba.size(); i += kChannels) out.rgba[i + 3] = mask.empty() ? 255 : cover.rgba[i];
+    const Image cover = mask.empty() ? Image() : stretched(std::move(mask), size.x, size.y);
+    for (std::size_t i = 0; i < out.rgba.size(); i += kChannels) out.rgba[i + 3] = cover.empty() ? 255 : cover.rgba[i];
     return out;
 }
 

@@ -2,6 +2,7 @@
 
 #include "native/file/input_file.h"
 #include "tracer/image_header.h"
+#include "tracer/image_memory.h"
 #include "tracer/scene/json_document.h"
 #include "tracer/scene/read_scene.h"
 
@@ -155,25 +156,30 @@ std::optional<NamedImages> AssetFolder::readImages(const Scene& scene, Problems&
             files.emplace_back(name, *file);
             decoded += decodedBytes(*file);
         }
-    const auto tooMuch = [&](std::uint64_t bytes) {
-        if (bytes <= kMostDecodedBytes) return false;
+    const auto tooMuch = [&](std::uint64_t bytes, std::uint64_t most, const std::string& when = {}) {
+        if (bytes <= most) return false;
         problems.push_back({scene.file,
                             0,
                             {},
-                            "its images take " + std::to_string(bytes >> 20) + " MB; 512 MB are the most",
+                            "its images take " + std::to_string(bytes >> 20) + " MB" + when + "; " +
+                                std::to_string(most >> 20) + " MB are the most",
                             "use fewer or smaller images"});
         return true;
     };
-    if (tooMuch(decoded)) return std::nullopt;
+    if (tooMuch(decoded, kMostDecodedBytes)) return std::nullopt;
     NamedImages images;
     std::uint64_t held = 0; // what files say of themselves may stand behind where it was looked for
     for (const auto& [name, file] : files) {
         const auto bytes = readInput(file.string(), kMostFileBytes, "use a smaller image", problems);
         if (!bytes) continue;
         const std::span span(reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size());
+        const auto header = measureImage(file.string(), span, problems);
+        if (!header) continue;
+        if (tooMuch(held + bytes->size() + header->decodeBytes, kMostImageMemory, " while " + name + " is decoded"))
+            return std::nullopt;
         auto image = decodeImage(file.string(), span, problems);
         if (!image) continue;
-        if (tooMuch(held += image->rgba.size())) return std::nullopt;
+        if (tooMuch(held += image->rgba.size(), kMostDecodedBytes)) return std::nullopt;
         images.emplace_back(name, std::move(*image));
         const std::string note = colorNote(span);
         if (notes && !note.empty()) notes->push_back({file.string(), 0, {}, note, "convert it to sRGB"});
