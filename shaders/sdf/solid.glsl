@@ -12,8 +12,11 @@
 //            beyond. Only what has the solid beyond it is met: a surface that the ray just touches, as the skin that
 //            two flush solids leave over a hole, is passed. Steps and so t are the same whatever was met before: of
 //            equal solids the first is met. An estimate has no gradient, and its surface detail without end: it is met
-//            where it is as near as the least step
-// surface    the point pulled onto the surface along the gradient; images lie on it as on a floor, in scene units
+//            where it is as near as the least step, by MARCH_STEPS just before it; in scenes with glass a ray that
+//            leaves it meets it again only beyond that detail
+// surface    the point pulled onto the surface along the gradient; images lie on it as on a floor, in scene units. Of an
+//            estimate the normal faces a ray from outside, and not one from inside: `ray.side` is that on which the ray
+//            travels, 0 where only the distance tells
 // gradient   of an estimate: differences over a tetrahedron of size `reach`
 // Error      t: a point at most 2^-18 of the sphere's radius off the surface; what is thinner than that is not met.
 //            Of an estimate: short of the surface by what the pixel covers, the point at most half of that beside it
@@ -28,6 +31,7 @@ struct $Shape {
 
 $Shape load$Shape(int at) { return $Shape(at, sceneTexel(at)); }
 vec4 ball$Shape($Shape solid) { return solid.ball; }
+float detail$Shape($Shape solid) { return 1e-4 * solid.ball.w; } // the least that an estimate's normal is the mean of
 vec4 distance$Shape($Shape solid, vec3 p, vec3 from) { return field$Shape(solid.at, p - solid.ball.xyz); }
 
 vec4 marched$Shape(int at, vec3 p) {
@@ -45,6 +49,9 @@ bool intersect$Shape($Shape solid, Ray ray, float side, inout float t) {
     float limit = min(end, (t - near.tHigh) - near.tLow);
     float s = max(-end, (ray.tMin - near.tHigh) - near.tLow);
     float finest = 1e-6 * solid.ball.w;
+#if REFRACTION && $SHAPE_ESTIMATED
+    if (side != 0.0) s += detail$Shape(solid); // or glass that is dust would be met at every step of a ray
+#endif
     float inside = side;
     float last = s;    // the ray is free up to here
     float known = 0.0; // the distance there
@@ -117,7 +124,17 @@ bool intersect$Shape($Shape solid, Ray ray, float side, inout float t) {
     }
 #endif
     if (!met) return false;
-#if MARCH == MARCH_STEPS || !$SHAPE_ESTIMATED
+#if MARCH == MARCH_STEPS && $SHAPE_ESTIMATED
+    // On the near side of what lies between `last` and s: from the point that is met the surface is on that side, too.
+    float beyond = s;
+    for (int i = 0; i < 24 && beyond - last > finest; ++i) {
+        s = 0.5 * (last + beyond);
+        bool nearer = inside * marched$Shape(solid.at, near.origin + s * ray.direction).w > 2.0 * finest;
+        last = nearer ? s : last;
+        beyond = nearer ? beyond : s;
+    }
+    s = last;
+#elif !$SHAPE_ESTIMATED
     // Where the solid is about `finest` deep, between `last` and s by false position: an end that stays twice counts
     // half.
     float beyond = s, depth = free + finest;
@@ -156,14 +173,16 @@ Surface surface$Shape($Shape solid, Ray ray, float t) {
     NearRay near = recentre(ray.origin, solid.ball.xyz, ray.direction);
     vec3 p = near.origin + ((t - near.tHigh) - near.tLow) * ray.direction;
     float free = field$Shape(solid.at, p).w;
-    vec3 gradient = gradient$Shape(solid.at, p, max(0.25 * frame.pixelAngle * t, 1e-4 * solid.ball.w));
+    vec3 gradient = gradient$Shape(solid.at, p, max(0.25 * frame.pixelAngle * t, detail$Shape(solid)));
     float steep = length(gradient);
     vec3 normal = steep > 1e-30 ? gradient / steep : -ray.direction;
 #if $SHAPE_ESTIMATED
     p -= free * normal;
     // A cone that grazes a silhouette ends beside what faces away already: it sees the rim.
+    // And what travels inside meets it from inside: the gradient, which jumps, may say otherwise.
     float facing = dot(normal, ray.direction);
-    if (free >= 0.0 ? facing > 0.0 : facing < 0.0) normal = normalize(normal - 1.001 * facing * ray.direction);
+    float side = ray.side == 0.0 ? (free >= 0.0 ? 1.0 : -1.0) : ray.side;
+    if (side * facing > 0.0) normal = normalize(normal - 1.001 * facing * ray.direction);
 #else
     // Twice: by an edge the first step lands beside the solid, on the plane of one face, the second on the other face.
     p -= free / max(steep, 0.5) * normal;

@@ -252,6 +252,26 @@ TEST(Absorption, IsBeersLaw) {
         EXPECT_NEAR(image.at(2, 2)[c], std::exp(-1.5 * std::vector{0.0, 0.5, 1.25}[std::size_t(c)]), 2e-6);
 }
 
+// A ray that passes on into a Mandelbulb, whose gradient may lie, is not held up where it does: no pixel of these
+// passes more than 64 surfaces that are none.
+TEST(Media, AreEnteredWhereTheGradientJumps) {
+    offscreen();
+    const Scene scene = room(R"({"mandelbulb": {"center": [0, 0, 0], "radius": 1, "power": 8, "iterations": 4},
+                                 "material": "glass", "casts_shadow": false},)" +
+                             ball("glass", "[0.6, 0, 0.4]", 0.5));
+    std::string fewer(shaderText("integrator/whitted.glsl"));
+    const std::string most = "kMostPassed = 256";
+    ASSERT_NE(fewer.find(most), std::string::npos);
+    fewer.replace(fewer.find(most), most.size(), "kMostPassed = 64");
+    const ShaderFile overrides[] = {{"integrator/whitted.glsl", fewer}};
+    for (const March march : {March::Steps, March::Sphere, March::Cone, March::Relaxed}) {
+        Settings settings = sized(64, 48, 3);
+        settings.march = march;
+        EXPECT_EQ(difference(Drawing(scene, settings, overrides).output(), outputOf(scene, settings, Aov::Color)), "")
+            << int(march);
+    }
+}
+
 /// Of the pixels of two pictures, the fraction that differs by more than `by` in some channel.
 double differing(const FloatImage& a, const FloatImage& b, double by) {
     int off = 0;

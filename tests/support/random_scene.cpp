@@ -228,9 +228,7 @@ class RandomScene {
     }
 
     Json object(Json made, int materials) {
-        // A Mandelbulb of glass is dust that rays pass for longer than llvmpipe's loops last: docs/software-gl.md.
-        const bool dust = made.dump().find("mandelbulb") != std::string::npos;
-        if (form_.chance(0.9) && !dust) made["material"] = materialName(form_.whole(0, materials - 1));
+        if (form_.chance(0.9)) made["material"] = materialName(form_.whole(0, materials - 1));
         if (form_.chance(0.15)) made["casts_shadow"] = false;
         if (form_.chance(0.2))
             made["motion"]["orbit"] = {{"cos", point(0.5)}, {"sin", point(0.5)}, {"rate", value_.number(-3, 3)}};

@@ -1,6 +1,5 @@
 /// Whole scenes at random: every shape, solids of several levels, every sort of material, light and motion, objects
-/// that touch or coincide, planets to stand on. No Mandelbulb of glass, and marches of 24 steps: llvmpipe's loops end
-/// (docs/software-gl.md).
+/// that touch or coincide, planets to stand on.
 #pragma once
 
 #include "tracer/settings/settings.h"
