@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <numeric>
 #include <utility>
 
 namespace gnomon {
@@ -94,14 +92,17 @@ Layers::Layers(const std::vector<glm::ivec2>& sizes, bool srgb, int side, std::s
             ++tile.halvings;
         }
     }
-    for (Tile& tile : tiles_) tile.size = {tileSide(tile.size.x, width_), tileSide(tile.size.y, height_)};
+    for (Tile& tile : tiles_) {
+        tile.whole = tile.size == glm::ivec2(width_, height_);
+        tile.size = {tileSide(tile.size.x, width_), tileSide(tile.size.y, height_)};
+    }
 }
 
 std::vector<int> Layers::largestFirst() const {
-    std::vector<int> order(tiles_.size());
-    std::iota(order.begin(), order.end(), 0);
-    const auto area = [&](int i) { return long(tiles_[std::size_t(i)].size.x) * tiles_[std::size_t(i)].size.y; };
-    std::ranges::stable_sort(order, std::greater(), area);
+    std::vector<int> order;
+    for (const bool whole : {true, false})
+        for (int i = 0; i < count(); ++i)
+            if (tiles_[std::size_t(i)].whole == whole) order.push_back(i);
     return order;
 }
 

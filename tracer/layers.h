@@ -32,7 +32,7 @@ class Layers {
 
     /// Share of its layer that an image takes, along x and y.
     glm::vec2 tile(int layer) const { return glm::vec2(tiles_[std::size_t(layer)].size) / glm::vec2(width_, height_); }
-    /// The layers, those first whose images fill the most of them.
+    /// The layers, those first whose images are as large.
     std::vector<int> largestFirst() const;
     /// Images were halved.
     bool reduced() const { return reduced_; }
@@ -40,7 +40,8 @@ class Layers {
   private:
     struct Tile {
         glm::ivec2 size;
-        int halvings = 0; ///< of the image, before it is made as large as its tile
+        int halvings = 0;   ///< of the image, before it is made as large as its tile
+        bool whole = false; ///< the image is then as large as the layer
     };
 
     int width_ = 0, height_ = 0;

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <set>
 #include <utility>
 
 namespace gnomon {
@@ -94,7 +93,7 @@ SceneImages::LayerSizes SceneImages::layerSizes(const Pictures& pictures) const 
 }
 
 std::size_t SceneImages::peakMemory(const Pictures& pictures, const LayerSizes& sizes) const {
-    std::set<std::string> counted;
+    std::vector<std::string> counted;
     const auto bytesOf = [&](const std::string& name) {
         const auto found = pictures.images.find(name);
         return found == pictures.images.end() ? 0 : found->second.rgba.size();
@@ -102,7 +101,9 @@ std::size_t SceneImages::peakMemory(const Pictures& pictures, const LayerSizes& 
     std::array<ImageUpload, 3> uploads;
     auto& [paints, normals, sky] = uploads; // the order in which they are made
     const auto wait = [&](ImageUpload& upload, const std::string& name) {
-        if (counted.insert(name).second) upload.images += bytesOf(name);
+        if (std::find(counted.begin(), counted.end(), name) != counted.end()) return;
+        counted.push_back(name);
+        upload.images += bytesOf(name);
     };
     for (const std::string& name : prepared_->skyFaces) wait(sky, name); // from the end: they wait for their last use
     wait(sky, prepared_->scene.background.image);
