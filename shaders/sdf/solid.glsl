@@ -14,9 +14,9 @@
 //            equal solids the first is met. An estimate has no gradient, and its surface detail without end: it is met
 //            where it is as near as the least step, by MARCH_STEPS just before it; in scenes with glass a ray that
 //            leaves it meets it again only beyond that detail
-// surface    the point pulled onto the surface along the gradient; images lie on it as on a floor, in scene units. Of an
-//            estimate the normal faces a ray from outside, and not one from inside: `ray.side` is that on which the ray
-//            travels, 0 where only the distance tells
+// surface    the point pulled onto the surface along the gradient; images lie on it as on a floor, in scene units.
+//            Of an estimate the normal faces a ray from outside, and not one from inside: `ray.side` is that on which
+//            the ray travels, 0 where only the distance tells
 // gradient   of an estimate: differences over a tetrahedron of size `reach`
 // Error      t: a point at most 2^-18 of the sphere's radius off the surface; what is thinner than that is not met.
 //            Of an estimate: short of the surface by what the pixel covers, the point at most half of that beside it
