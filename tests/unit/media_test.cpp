@@ -21,7 +21,8 @@ using namespace test;
 Scene clear(const std::string& objects) {
     return sceneFrom(R"({"materials": {"glass": {"dielectric": {"ior": 1.5}}, "water": {"dielectric": {"ior": 1.33}},
         "thin": {"dielectric": {"ior": 0.9}}, "dye": {"dielectric": {"ior": 1.3, "absorption": 1}},
-        "ice": {"dielectric": {"ior": 1.31, "priority": 2}}, "clay": {"diffuse": 1}}, "objects": [)" +
+        "ice": {"dielectric": {"ior": 1.31, "priority": 2}}, "clay": {"diffuse": 1},
+        "gold": {"conductor": {"n": 0.2, "k": 3}}}, "objects": [)" +
                      objects + "]}");
 }
 
@@ -60,6 +61,9 @@ TEST(Media, AreTrackedOnlyWhereAScenesBodiesMayMeet) {
     const std::string pool = R"(, {"plane": {"point": [0, -1.5, 0], "normal": [0, 1, 0]}, "material": "water"})";
     EXPECT_FALSE(tracked(ball("glass", 0, 1)));
     EXPECT_FALSE(tracked(ball("glass", 0, 1) + "," + ball("clay", 0, 0.5)));
+    EXPECT_TRUE(tracked(ball("glass", 0, 1) + "," + ball("gold", 0, 0.5))) << "which reflects otherwise in glass";
+    EXPECT_FALSE(tracked(ball("glass", 0, 1) + "," + ball("gold", 2, 1))) << "they touch";
+    EXPECT_FALSE(tracked(ball("gold", 0, 1) + "," + ball("gold", 0, 0.5)));
     EXPECT_FALSE(tracked(ball("glass", 0, 1) + "," + ball("glass", 2.1, 1)));
     EXPECT_TRUE(tracked(ball("glass", 0, 1) + "," + ball("glass", 2.1, 1, orbit)));
     EXPECT_TRUE(tracked(ball("glass", 0, 1) + "," + ball("glass", 2, 1))) << "they touch";
