@@ -72,6 +72,8 @@ bool intersect$Shape($Shape solid, Ray ray, float side, inout float t) {
 #endif
 #if $SHAPE_ESTIMATED
     float before = side == 0.0 ? 1e30 : -1.0;
+#else
+    float approached = 0.0; // how fast the ray nears the surface at `last`
 #endif
     for (int i = 0; i < frame.marchSteps && !met; ++i) {
         if (s > end && last + known < end) s = end;
@@ -81,15 +83,24 @@ bool intersect$Shape($Shape solid, Ray ray, float side, inout float t) {
         free = inside * field.w;
         float least = finest;
 #if MARCH == MARCH_CONE || MARCH == MARCH_RELAXED
-        least = max(least, 0.5 * frame.pixelAngle * (near.tHigh + (near.tLow + s)));
+        float width = 0.5 * frame.pixelAngle * (near.tHigh + (near.tLow + s));
+#if $SHAPE_ESTIMATED
+        least = max(least, width);
+#else
+        least = max(least, min(width, solid.ball.w / 64.0)); // smaller than a pixel it has holes and edges still
+#endif
 #endif
         float taken = s - last;
-        bool gap = bold && abs(free) + known < taken; // what lies between is not known to be free
+        bool between = abs(free) + known < taken; // what lies between is not known to be free
+        bool gap = bold && between;
 #if $SHAPE_ESTIMATED
         met = !gap && free < least && free <= before;
         if (!gap) before = free;
 #else
         float approach = -inside * dot(field.xyz, ray.direction);
+        // Half a pixel's width may hold more than the plane that the ray was by, which told another distance and slope.
+        bool foreseen = abs(free - known + approached * taken) < 0.01 * taken + finest && abs(approach - approached) < 0.02;
+        gap = gap || (between && taken > 4.0 * finest && !foreseen);
         gap = gap && !(known < least && free >= 0.0 && free <= known && approach > 0.0); // it nears as was foreseen
         met = free < -finest && (clear || approach > 0.0);
         clear = clear || free > 2.0 * finest;
@@ -100,6 +111,9 @@ bool intersect$Shape($Shape solid, Ray ray, float side, inout float t) {
         if (!met) {
             last = gap ? last : s;
             known = gap ? known : max(free, 0.0);
+#if !$SHAPE_ESTIMATED
+            approached = gap ? approached : approach;
+#endif
             float step = max(known, least);
 #if MARCH == MARCH_RELAXED
             step *= 2.0 / clamp(1.0 - slope, 1.25, 2.0);
