@@ -228,7 +228,8 @@ bool intersectTorus(Torus torus, Ray ray, float side, inout float t) {
     TubeRay tube = tubeRay(torus, near.origin, ray.direction);
     vec2 bounds = torusBounds(torus, tube);
     float start = ((side == 0.0 ? ray.tMin : 0.0) - near.tHigh) - near.tLow;
-    float startsOn = start > bounds.x ? side : 1.0; // before the bounds is outside
+    // Before the bounds is outside, but for a ray that leaves inward: it starts there by rounding.
+    float startsOn = side < 0.0 || start > bounds.x ? side : 1.0;
     bounds.x = max(bounds.x, start);
     if (!(bounds.x <= bounds.y)) return false;
     float s;
