@@ -1,8 +1,8 @@
 // What the shapes about an axis share: the axis between two points, and a ray seen from it.
 //
 // axialRay    the ray re-centred on the middle of the axis and split into its parts along and across it
-// endsSpan    between the two planes across the ends. Along `toMiddle` as it is: a unit axis is rounded, and how far away
-//             an end is met, along the ray, would be as many times less exact
+// endsSpan    between the two planes across the ends. Along `toMiddle` as it is: a unit axis is rounded, and where an
+//             end is met, along the ray, would be less exact the farther away it is
 // onAxis      the point of the world at an offset from the middle
 // axialPoint  a point's parts along and across it, from the middle
 // around      unit direction from the axis to a point; any where the point lies on the axis

@@ -99,7 +99,8 @@ bool intersect$Shape($Shape solid, Ray ray, float side, inout float t) {
 #else
         float approach = -inside * dot(field.xyz, ray.direction);
         // Half a pixel's width may hold more than the plane that the ray was by, which told another distance and slope.
-        bool foreseen = abs(free - known + approached * taken) < 0.01 * taken + finest && abs(approach - approached) < 0.02;
+        bool foreseen = abs(free - known + approached * taken) < 0.01 * taken + finest
+            && abs(approach - approached) < 0.02;
         gap = gap || (between && taken > 4.0 * finest && !foreseen);
         gap = gap && !(known < least && free >= 0.0 && free <= known && approach > 0.0); // it nears as was foreseen
         met = free < -finest && (clear || approach > 0.0);

@@ -233,6 +233,33 @@ TEST_P(RandomOracle, AgreesOnWhatRaysMeet) {
 
 INSTANTIATE_TEST_SUITE_P(Families, RandomOracle, testing::Range(0, families()));
 
+// What ten million rays have found.
+
+TEST(TorusRay, LeavesInwardFromAStartThatRoundingPutOutside) {
+    offscreen();
+    const Shape torus = inFloat(
+        makeShape(ShapeKind::Torus, {{-1.31703272, 1.32462569, -2.57013388}, {0.699180567, 0.574985355, 0.424898077}},
+                  {0.146389954, 0.0174853188}));
+    Problems problems;
+    RayBatch batch(oracle::sceneOf({torus}), problems);
+    ASSERT_TRUE(batch.valid()) << toString(problems);
+    BatchRay ray;
+    ray.origin = {-0x1.48359p+0f, 0x1.5ae846p+0f, -0x1.5ae394p+1f};
+    ray.direction = {0x1.31e8cp-1f, 0x1.972f12p-2f, -0x1.6487c6p-1f};
+    ray.side = -1;
+    ray.tMin = -1;
+    EXPECT_NEAR(batch.trace(std::vector{ray})[0].t, 0.012344555, 2e-7);
+}
+
+// From 9016 units a pixel is 18 units wide.
+TEST(SolidRay, MeetsASolidSmallerThanAPixel) {
+    offscreen();
+    std::vector<std::string> wrong;
+    const Count count = Family().trace(7 * kFamily + 5, 2, wrong);
+    EXPECT_EQ(count.wrong(), 0) << (wrong.empty() ? "" : wrong[0]);
+    EXPECT_GT(count.rows.at("solid").decided, 100);
+}
+
 /// The shader library with one thought left out, and a family of scenes where that shows.
 struct Mutant {
     const char* name;
