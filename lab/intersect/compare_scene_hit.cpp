@@ -59,6 +59,7 @@ SceneOracle::SceneOracle(const Scene& scene, double time) {
             const Shape& shape = shapes[std::size_t(i)];
             objects_.push_back(exactObject(shape, kind.kind, extent, scene.camera.eye));
             shapes_.push_back(shape);
+            fileIndices_.push_back(i);
             values_.emplace_back(1, glm::vec4(float(&kind - prepared->layout.data())));
             if (kind.solid)
                 appendTexels(shape, values_.back());

@@ -36,6 +36,8 @@ class SceneOracle {
     /// In the shader's order.
     std::size_t objects() const { return objects_.size(); }
     ShapeKind kindOf(int object) const { return objects_[std::size_t(object)]->kind(); }
+    /// In the scene; -1 of nothing.
+    int fileIndexOf(int object) const { return object < 0 ? -1 : fileIndices_[std::size_t(object)]; }
     const Shape& shapeOf(int object) const { return shapes_[std::size_t(object)]; }
     /// Where the ray meets one object: to tell of what is wrong.
     Meeting meetingWith(int object, const BatchRay&) const;
@@ -55,6 +57,7 @@ class SceneOracle {
 
     std::vector<std::unique_ptr<ExactObject>> objects_;
     std::vector<Shape> shapes_;
+    std::vector<int> fileIndices_;
     std::vector<std::vector<glm::vec4>> values_;
 };
 

@@ -11,6 +11,7 @@
 ///         nearer to each other than their bounds, unless these are of equal objects: then the first is right
 /// Scope   GNOMON_RAYS says how many rays, about; `scripts/test shader --long` asks for 10 million
 #include "lab/intersect/compare_scene_hit.h"
+#include "lab/reference/exact/scene_hit.h"
 #include "tests/support/offscreen.h"
 #include "tests/support/random_scene.h"
 #include "tests/support/scene_rays.h"
@@ -22,6 +23,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <thread>
 
 namespace gnomon {
@@ -229,6 +231,64 @@ TEST_P(RandomOracle, AgreesOnWhatRaysMeet) {
     EXPECT_EQ(count.wrong(), 0);
     EXPECT_GT(count.decided[0], count.primary / 2);
     EXPECT_GT(count.decided[1], count.secondary / 2);
+}
+
+/// The objects of a picture from the scene's own camera.
+FloatImage objectsOf(const Scene& scene, Settings settings, int width, int height) {
+    settings.size = {width, height};
+    settings.aov = Aov::Object;
+    Renderer renderer;
+    Problems problems;
+    renderer.configure(settings);
+    renderer.setScene(scene, problems);
+    for (const std::string& image : imagesOf(scene)) renderer.setImage(image, {1, 1, {255, 255, 255, 255}});
+    renderer.finish(problems);
+    FloatImage image = renderer.readOutput({scene.camera, settings.time, width, height}, problems);
+    EXPECT_EQ(toString(problems), "");
+    return image;
+}
+
+/// What float32 may make of a pixel's ray: the one through its middle, and four beside it, as far off as
+/// tests/shader/outputs_test.cpp has it. Nothing where they do not agree.
+std::optional<int> objectAt(const SceneOracle& exact, const CameraPose& pose, int x, int y, int width, int height) {
+    Vec origin, direction;
+    pixelRay(pose, x, y, width, height, origin, direction);
+    const Vec right = glm::normalize(glm::cross(direction, Vec(0.3L, 0.5L, 0.8L))), up = glm::cross(right, direction);
+    std::optional<int> object;
+    for (const Vec off : {Vec(0), right, -right, up, -up}) {
+        BatchRay ray;
+        ray.origin = glm::vec3(origin);
+        ray.direction = glm::vec3(glm::normalize(direction + 4e-7L * off));
+        const SceneVerdict verdict = exact.compare(ray, {});
+        if (!verdict.decided || (object && *object != verdict.object)) return std::nullopt;
+        object = verdict.object;
+    }
+    return object;
+}
+
+// The way from a picture's pixels to nearestHit(), with the variants and the search that a program of users has.
+TEST_P(RandomOracle, NamesTheObjectsOfAPicture) {
+    constexpr int kWidth = 64, kHeight = 48;
+    int decided = 0, wrong = 0;
+    for (std::uint64_t seed = kFamily * std::uint64_t(GetParam()); seed % kFamily < 2; ++seed) {
+        const Scene scene = sceneOf(seed);
+        const Settings settings = settingsOf(seed, {"", Accel::Auto, DataPath::Auto});
+        const SceneOracle exact(scene, settings.time);
+        const FloatImage image = objectsOf(scene, settings, kWidth, kHeight);
+        for (int y = 0; y < kHeight; ++y)
+            for (int x = 0; x < kWidth; ++x) {
+                const auto object = objectAt(exact, scene.camera, x, y, kWidth, kHeight);
+                if (!object) continue;
+                ++decided;
+                const int told = int(*image.at(x, y)), right = exact.fileIndexOf(*object);
+                if (told != right && ++wrong <= 3)
+                    ADD_FAILURE() << "seed " << seed << ", pixel " << x << ' ' << y << ": told " << told
+                                  << ", right is " << right;
+            }
+    }
+    std::printf("family %d: %d pixels decided, %d wrong\n", GetParam(), decided, wrong);
+    EXPECT_EQ(wrong, 0);
+    EXPECT_GT(decided, 2 * kWidth * kHeight / 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, RandomOracle, testing::Range(0, families()));
