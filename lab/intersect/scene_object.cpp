@@ -176,9 +176,9 @@ class SolidObject : public ExactObject {
         const glm::dvec3 p = glm::dvec3(line.p.x, line.p.y, line.p.z) + home_, d(ray.direction);
         const double rounding = 0x1p-23 * std::abs(line.start), slack = slack_ + rounding;
         const double square = radius_ * radius_ - dot(line.p, line.p), half = square > 0 ? std::sqrt(square) : 0;
-        double first = std::max(line.start + start.tMin, -half);
+        double first = std::max(line.start + (estimated_ ? 0 : start.tMin), -half);
         bool started = true;
-        if (start.side != 0) {
+        if (start.side != 0 && !estimated_) {
             const double cosine = std::abs(glm::dot(slope(p + line.start * d), d));
             started = cosine > 0.05;
             first = line.start + 4 * slack / std::max(cosine, 0.05);

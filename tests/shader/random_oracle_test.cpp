@@ -40,7 +40,7 @@ std::int64_t raysAsked() {
 }
 
 /// To compile the programs of a family takes as long as some 100 000 rays.
-int families() { return raysAsked() < 1000000 ? 8 : 40; }
+int families() { return raysAsked() < 1000000 ? 6 : 40; }
 
 struct Search {
     const char* name;
@@ -270,7 +270,7 @@ std::optional<int> objectAt(const SceneOracle& exact, const CameraPose& pose, in
 TEST_P(RandomOracle, NamesTheObjectsOfAPicture) {
     constexpr int kWidth = 64, kHeight = 48;
     int decided = 0, wrong = 0;
-    for (std::uint64_t seed = kFamily * std::uint64_t(GetParam()); seed % kFamily < 2; ++seed) {
+    for (std::uint64_t seed = kFamily * std::uint64_t(GetParam()); seed % kFamily < 1; ++seed) {
         const Scene scene = sceneOf(seed);
         const Settings settings = settingsOf(seed, {"", Accel::Auto, DataPath::Auto});
         const SceneOracle exact(scene, settings.time);
@@ -288,7 +288,7 @@ TEST_P(RandomOracle, NamesTheObjectsOfAPicture) {
     }
     std::printf("family %d: %d pixels decided, %d wrong\n", GetParam(), decided, wrong);
     EXPECT_EQ(wrong, 0);
-    EXPECT_GT(decided, 2 * kWidth * kHeight / 2);
+    EXPECT_GT(decided, kWidth * kHeight / 2);
 }
 
 INSTANTIATE_TEST_SUITE_P(Families, RandomOracle, testing::Range(0, families()));
