@@ -5,7 +5,9 @@
 //            reach is not met.
 //            MARCH_STEPS: equal steps of the sphere: what is thinner than a step may be missed
 //            MARCH_SPHERE: steps as long as the distance, or what float32 resolves of the sphere
-//            MARCH_CONE: or half the width of the pixel's cone, taken to widen from the eye
+//            MARCH_CONE: or half the width of the pixel's cone, taken to widen from the eye, and of a solid that is no
+//            estimate at most 1/64 of the sphere's radius. Taken back where the distance behind it or its slope are not
+//            those of the plane that the ray was by
 //            MARCH_RELAXED: that with steps as long as if the distance went on to change along the ray as it did, taken
 //            back where the balls free of the surface about both ends do not touch
 //            Where the surface is as near as the least step, the step is to where its tangent plane says, and a little
