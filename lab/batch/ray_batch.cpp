@@ -9,7 +9,7 @@ namespace {
 void upload(Batch& batch, std::span<const BatchRay> rays) {
     std::array<std::vector<glm::vec4>, 2> inputs; // origins, directions
     for (const BatchRay& ray : rays) {
-        inputs[0].emplace_back(ray.origin, ray.side * float(1 + ray.self));
+        inputs[0].emplace_back(ray.origin, ray.side);
         inputs[1].emplace_back(ray.direction, ray.tMin);
     }
     batch.upload(inputs);

@@ -9,10 +9,11 @@ namespace gnomon {
 
 struct BatchRay {
     glm::vec3 origin{0};
-    float side = 0; ///< +1: starts on an object and travels outside of it, −1: inside; 0: starts nowhere
+    float side = 0; ///< 1 + i: starts on object i, in the shader's order, and travels outside of it; −1 − i: inside
     glm::vec3 direction{0, 0, 1}; ///< unit
     float tMin = 0;               ///< hits nearer than that are rounding of the start; < 0: as rayFrom() tells it
-    int self = 0;                 ///< the object that it starts on, in the shader's order
+
+    int self() const { return int(side < 0 ? -side : side) - 1; } ///< the object that it starts on, −1: none
 };
 
 struct BatchHit {

@@ -69,7 +69,7 @@ SceneOracle::SceneOracle(const Scene& scene, double time) {
 }
 
 Meeting SceneOracle::meetingWith(int object, const BatchRay& ray) const {
-    const RayStart start{ray.tMin < 0 ? leastT(ray.origin) : ray.tMin, object == ray.self ? ray.side : 0};
+    const RayStart start{ray.tMin < 0 ? leastT(ray.origin) : ray.tMin, object == ray.self() ? ray.side : 0};
     return objects_[std::size_t(object)]->meeting(ray, start);
 }
 

@@ -142,10 +142,10 @@ std::string described(const SceneOracle& exact, const BatchRay& ray, const Batch
         return std::string(of);
     };
     std::snprintf(text, sizeof text,
-                  "%s: o = (%a, %a, %a), d = (%a, %a, %a), side %g of %d: told %s at %.9g, right is %s%s; errors: ray "
+                  "%s: o = (%a, %a, %a), d = (%a, %a, %a), side %g: told %s at %.9g, right is %s%s; errors: ray "
                   "%.3g, point %.3g, normal %.3g",
                   std::string(nameOf(verdict.fault)).c_str(), ray.origin.x, ray.origin.y, ray.origin.z, ray.direction.x,
-                  ray.direction.y, ray.direction.z, ray.side, ray.self, meeting(hit.object).c_str(), hit.t,
+                  ray.direction.y, ray.direction.z, ray.side, meeting(hit.object).c_str(), hit.t,
                   verdict.decided ? "" : "undecided, ", meeting(verdict.object).c_str(), verdict.errors.ray,
                   verdict.errors.point, verdict.errors.normal);
     return text;

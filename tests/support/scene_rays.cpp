@@ -116,8 +116,7 @@ std::vector<BatchRay> SceneRays::secondary(const std::vector<BatchRay>& rays, co
         BatchRay ray;
         ray.origin = hits[i].point;
         ray.direction = glm::vec3(way);
-        ray.self = hits[i].object;
-        ray.side = glm::dot(ray.direction, hits[i].normal) < 0 ? -1.0f : 1.0f;
+        ray.side = (glm::dot(ray.direction, hits[i].normal) < 0 ? -1.0f : 1.0f) * float(1 + hits[i].object);
         ray.tMin = -1; // as the integrator has it
         more.push_back(ray);
     }
