@@ -73,12 +73,12 @@ TubeRay tubeRay(Torus torus, vec3 p, vec3 d) {
 }
 
 // g at s and half its derivative, both times the distance from the axis: that spares a division. `lost` makes up for a
-// square root that is coarse on some GPUs.
+// square root that is coarse on some GPUs; compilers that fold the square of a root would fold it to 0.
 vec2 tubeResidual(Torus torus, TubeRay ray, float s) {
     vec3 across = ray.across + s * ray.acrossStep;
     float z = ray.z + s * ray.dz;
     float square = dot(across, across);
-    float fromAxis = sqrt(square);
+    float fromAxis = optimisationBarrier(vec3(sqrt(square))).x;
     float lost = square - fromAxis * fromAxis;
     float q = fromAxis - torus.major;
     float g = (q * q + (z * z - torus.minor * torus.minor)) * fromAxis + q * lost;
