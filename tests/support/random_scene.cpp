@@ -278,4 +278,15 @@ Settings randomSettings(std::uint64_t seed) {
     return settings;
 }
 
+Image noise(const std::string& name, int side) {
+    Image image{side, side, {}};
+    std::uint32_t state = 1;
+    for (const char letter : name) state = 31 * state + std::uint32_t(letter);
+    for (int i = 0; i < 4 * image.width * image.height; ++i) {
+        state = 1664525 * state + 1013904223;
+        image.rgba.push_back(i % 4 == 3 ? 255 : std::uint8_t(state >> 24));
+    }
+    return image;
+}
+
 } // namespace gnomon::test

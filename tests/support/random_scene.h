@@ -3,6 +3,7 @@
 /// (docs/software-gl.md).
 #pragma once
 
+#include "tracer/image.h"
 #include "tracer/settings/settings.h"
 
 #include <cstdint>
@@ -18,5 +19,8 @@ std::string randomScene(std::uint64_t seed);
 
 /// How such a scene is drawn, by its family: depth, shadows and march.
 Settings randomSettings(std::uint64_t seed);
+
+/// Texels without any order, the same for one name.
+Image noise(const std::string& name, int side = 8);
 
 } // namespace gnomon::test
