@@ -1,5 +1,6 @@
 #include "tracer/image.h"
 
+#include "tracer/hdr.h"
 #include "tracer/image_header.h"
 #include "tracer/jpeg.h"
 #include "tracer/png.h"
@@ -31,7 +32,6 @@ void* reallocate(void* block, std::size_t size) { return size <= mostOfABlock ? 
 #define STB_IMAGE_STATIC
 #define STBI_NO_STDIO
 #define STBI_ONLY_PNG
-#define STBI_ONLY_HDR
 #ifdef GNOMON_JPEG
 #define STBI_ONLY_JPEG
 #endif
@@ -92,16 +92,22 @@ struct FreeTexels {
     void operator()(void* texels) const { stbi_image_free(texels); }
 };
 
+/// Empty where the file ends too early.
 Image decodeLight(std::span<const std::uint8_t> bytes) {
-    Image image{0, 0, {}, Image::Coding::SharedExponent};
-    int channels = 0;
-    const std::unique_ptr<float, FreeTexels> light(
-        stbi_loadf_from_memory(bytes.data(), int(bytes.size()), &image.width, &image.height, &channels, 3));
-    if (!light) return {};
-    image.rgba.resize(std::size_t(image.width) * image.height * 4);
-    for (std::size_t i = 0; i < image.rgba.size() / 4; ++i)
-        setLight({light.get()[3 * i], light.get()[3 * i + 1], light.get()[3 * i + 2]}, &image.rgba[4 * i]);
-    return image;
+    const auto header = hdrHeader(bytes);
+    auto pixels = header ? hdrPixels(bytes, *header) : std::nullopt;
+    if (!pixels) return {};
+    for (std::size_t i = 0; i < pixels->size(); i += 4) {
+        std::uint8_t* texel = &(*pixels)[i];
+        const float unit = std::ldexp(1.0f, texel[3] - 136);
+        setLight(unit * glm::vec3(texel[0], texel[1], texel[2]), texel);
+    }
+    return {header->width, header->height, std::move(*pixels), Image::Coding::SharedExponent};
+}
+
+std::string decodersReason() {
+    const char* reason = stbi_failure_reason();
+    return reason && *reason != '\0' ? std::string("it cannot be decoded: ") + reason : "it ends too early";
 }
 
 Image decodeBytes(std::span<const std::uint8_t> bytes) {
@@ -164,8 +170,12 @@ std::optional<Image> decodeImage(const std::string& name, std::span<const std::u
     if (cleaned) bytes = *cleaned;
     // Twice: interlaced pixels and chunks that follow one another make the decoder double its buffers.
     mostOfABlock = 2 * std::max(std::size_t(header->decodeBytes), bytes.size()) + kSmallBlocks;
-    Image image = isHdr(bytes) ? decodeLight(bytes) : decodeBytes(bytes);
-    if (image.empty()) return refuse(stbi_failure_reason() ? stbi_failure_reason() : "broken");
+    if (isHdr(bytes)) {
+        Image light = decodeLight(bytes);
+        return light.empty() ? refuse("it ends too early, or a run leaves its row") : std::optional(std::move(light));
+    }
+    Image image = decodeBytes(bytes);
+    if (image.empty()) return refuse(decodersReason());
     return image;
 }
 

@@ -3,7 +3,7 @@
 ///
 ///   PNG           tracer/png.h
 ///   JPEG          tracer/jpeg.h
-///   Radiance HDR  light beyond white, for backgrounds: its resolution stands in a line `-Y height +X width`
+///   Radiance HDR  tracer/hdr.h
 #pragma once
 
 #include "tracer/problem.h"
@@ -27,8 +27,6 @@ inline constexpr std::size_t kHeaderBytes = std::size_t(1) << 20;
 
 /// Of the first bytes of a file; none where they are no image's, or its header is broken.
 std::optional<ImageHeader> imageHeader(std::span<const std::uint8_t> bytes);
-
-bool isHdr(std::span<const std::uint8_t> bytes);
 
 /// The same with a problem where there is none, or where decoding would take more than 512 MB. `name` stands in it.
 std::optional<ImageHeader> measureImage(const std::string& name, std::span<const std::uint8_t> bytes, Problems&);

@@ -70,6 +70,12 @@ Image white(int width, int height) {
 
 } // namespace
 
+std::size_t layerBytes(const std::vector<glm::ivec2>& sizes) {
+    glm::ivec2 most(0);
+    for (const glm::ivec2 size : sizes) most = glm::max(most, size);
+    return std::size_t(most.x) * std::size_t(most.y) * kChannels;
+}
+
 Layers::Layers(const std::vector<glm::ivec2>& sizes, bool srgb, int side, std::size_t bytes) : srgb_(srgb) {
     for (const glm::ivec2 size : sizes) tiles_.push_back({size});
     for (;;) {
@@ -86,7 +92,18 @@ Layers::Layers(const std::vector<glm::ivec2>& sizes, bool srgb, int side, std::s
             ++tile.halvings;
         }
     }
-    for (Tile& tile : tiles_) tile.size = {tileSide(tile.size.x, width_), tileSide(tile.size.y, height_)};
+    for (Tile& tile : tiles_) {
+        tile.whole = tile.size == glm::ivec2(width_, height_);
+        tile.size = {tileSide(tile.size.x, width_), tileSide(tile.size.y, height_)};
+    }
+}
+
+std::vector<int> Layers::largestFirst() const {
+    std::vector<int> order;
+    for (const bool whole : {true, false})
+        for (int i = 0; i < count(); ++i)
+            if (tiles_[std::size_t(i)].whole == whole) order.push_back(i);
+    return order;
 }
 
 int Layers::levels() const {
@@ -111,11 +128,11 @@ void Layers::forEachLevel(int layer, Image image, const std::function<void(int, 
 
 glm::ivec2 paintedSize(glm::ivec2 color, glm::ivec2 mask) { return glm::max(glm::max(color, mask), 1); }
 
-Image painted(Image color, const Image& mask) {
+Image painted(Image color, Image mask) {
     const glm::ivec2 size = paintedSize({color.width, color.height}, {mask.width, mask.height});
     Image out = color.empty() ? white(size.x, size.y) : stretched(std::move(color), size.x, size.y);
-    const Image cover = mask.empty() ? Image() : stretched(mask, size.x, size.y);
-    for (std::size_t i = 0; i < out.rgba.size(); i += kChannels) out.rgba[i + 3] = mask.empty() ? 255 : cover.rgba[i];
+    const Image cover = mask.empty() ? Image() : stretched(std::move(mask), size.x, size.y);
+    for (std::size_t i = 0; i < out.rgba.size(); i += kChannels) out.rgba[i + 3] = cover.empty() ? 255 : cover.rgba[i];
     return out;
 }
 

@@ -13,6 +13,9 @@
 
 namespace gnomon {
 
+/// Of one layer's finest level, for images of these sizes.
+std::size_t layerBytes(const std::vector<glm::ivec2>& sizes);
+
 class Layers {
   public:
     /// For images of these sizes, at least one and none empty. Colour is averaged as light where it is `srgb`. No layer
@@ -29,13 +32,16 @@ class Layers {
 
     /// Share of its layer that an image takes, along x and y.
     glm::vec2 tile(int layer) const { return glm::vec2(tiles_[std::size_t(layer)].size) / glm::vec2(width_, height_); }
+    /// The layers, those first whose images are as large.
+    std::vector<int> largestFirst() const;
     /// Images were halved.
     bool reduced() const { return reduced_; }
 
   private:
     struct Tile {
         glm::ivec2 size;
-        int halvings = 0; ///< of the image, before it is made as large as its tile
+        int halvings = 0;   ///< of the image, before it is made as large as its tile
+        bool whole = false; ///< the image is then as large as the layer
     };
 
     int width_ = 0, height_ = 0;
@@ -45,7 +51,7 @@ class Layers {
 
 /// `color` with the red channel of `mask` as its alpha, as large as the larger of the two along each side. Where one is
 /// empty it counts as white.
-Image painted(Image color, const Image& mask);
+Image painted(Image color, Image mask);
 /// Its size.
 glm::ivec2 paintedSize(glm::ivec2 color, glm::ivec2 mask);
 

@@ -3,18 +3,22 @@
 #include "tracer/gl/objects.h"
 #include "tracer/plan/scene_packer.h"
 #include "tracer/render/frame_uniforms.h"
+#include "tracer/render/scene_numbers.h"
 #include "tracer/shader/program_cache.h"
 #include "tracer/shader/shader_builder.h"
 
 namespace gnomon {
 namespace {
 
-constexpr int kWidth = 512; // pixels a row
+constexpr int kWidth = 512;               // pixels a row
+constexpr int kInputUnit = kDataUnit + 1; // and those after it
 constexpr int kMostRows = int(Batch::kMost) / kWidth;
 
 /// No camera, every light with its own radius; nothing is left out for the little that it adds.
-FrameUniforms frameOf(const Settings& settings) {
+FrameUniforms frameOf(const BatchPass& pass) {
+    const Settings& settings = pass.settings;
     FrameUniforms uniforms;
+    uniforms.pixelAngle = pass.pixelAngle;
     uniforms.coneError = float(settings.epsilon);
     uniforms.lightRadius = -1;
     uniforms.shadowSteps = settings.shadowSteps;
@@ -27,15 +31,19 @@ FrameUniforms frameOf(const Settings& settings) {
 } // namespace
 
 struct Batch::Impl {
+    BatchPass pass;
+    std::vector<ShaderFile> overrides;
+    std::string source; ///< what the program is made of
     gl::Program program;
     gl::VertexArray vertexArray = gl::makeVertexArray();
-    gl::Buffer frame = gl::makeUniformBuffer(), scene = gl::makeUniformBuffer();
+    gl::Buffer frame = gl::makeUniformBuffer();
+    SceneNumbers scene;
     std::vector<gl::Texture> inputs, outputs;
     gl::Framebuffer target;
     std::size_t pixels = 0; ///< uploaded
     int rows = 0;
 
-    bool makeTextures(const BatchPass& pass) {
+    bool makeTextures() {
         for (std::size_t i = 0; i < pass.inputs.size(); ++i) inputs.push_back(gl::makeDataTexture(kWidth, kMostRows));
         GLuint name = 0;
         glGenFramebuffers(1, &name);
@@ -51,16 +59,25 @@ struct Batch::Impl {
         return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
     }
 
-    void fillBlocks(const BatchPass& pass, const std::vector<glm::vec4>& texels) {
-        const FrameUniforms uniforms = frameOf(pass.settings);
+    void fillFrame() {
+        const FrameUniforms uniforms = frameOf(pass);
         glBindBuffer(GL_UNIFORM_BUFFER, frame.get());
         glBufferData(GL_UNIFORM_BUFFER, sizeof uniforms, &uniforms, GL_DYNAMIC_DRAW);
-        glBindBuffer(GL_UNIFORM_BUFFER, scene.get());
-        glBufferData(GL_UNIFORM_BUFFER, GLsizeiptr(texels.size() * sizeof texels[0]), texels.data(), GL_STATIC_DRAW);
+    }
+
+    void compile(const Plan& plan, const ShaderSource& made, Problems& problems) {
+        program = gl::Program(buildCanvas(plan, problems).text, made.text);
+        if (!program.linked()) {
+            const Problems mapped = mapLog(program.fragmentLog() + program.linkLog(), made);
+            problems.insert(problems.end(), mapped.begin(), mapped.end());
+            return;
+        }
+        source = made.text;
         glUseProgram(program.get());
         program.bindBlock("Frame", kFrameBinding);
         program.bindBlock("SceneBlock", kSceneBinding);
-        for (std::size_t i = 0; i < pass.inputs.size(); ++i) program.bindSampler(pass.inputs[i], GLint(i));
+        program.bindSampler("sceneData", kDataUnit);
+        for (std::size_t i = 0; i < pass.inputs.size(); ++i) program.bindSampler(pass.inputs[i], kInputUnit + GLint(i));
     }
 };
 
@@ -69,26 +86,31 @@ Batch::~Batch() = default;
 
 std::unique_ptr<Batch> Batch::make(const BatchPass& pass, const Scene& scene, Problems& problems,
                                    std::span<const ShaderFile> overrides) {
-    const gl::Info info = gl::info();
-    Settings settings = pass.settings;
-    settings.data = DataPath::Block;
-    const PreparedScenePtr prepared = prepare(scene);
-    Plan plan = planOf(*prepared, settings, {.es300 = info.essl300});
-    plan.scene.distances |= pass.distances;
-    Problems faults;
-    const ShaderSource source = buildShader(pass.file, plan, faults, overrides);
-    auto impl = std::make_unique<Impl>();
-    impl->program = gl::Program(buildCanvas(plan, faults).text, source.text);
-    if (!impl->program.linked()) {
-        const Problems mapped = mapLog(impl->program.fragmentLog() + impl->program.linkLog(), source);
-        faults.insert(faults.end(), mapped.begin(), mapped.end());
-    } else if (!info.floatTargets || !impl->makeTextures(pass)) {
-        faults.push_back({{}, 0, {}, "this GL cannot draw float32 pictures", "use another --context"});
+    std::unique_ptr<Batch> batch(new Batch(std::make_unique<Impl>()));
+    Impl& impl = *batch->impl_;
+    impl.pass = pass;
+    if (pass.settings.data == DataPath::Auto) impl.pass.settings.data = DataPath::Block;
+    impl.overrides.assign(overrides.begin(), overrides.end());
+    if (!gl::info().floatTargets || !impl.makeTextures()) {
+        problems.push_back({{}, 0, {}, "this GL cannot draw float32 pictures", "use another --context"});
+        return nullptr;
     }
+    impl.fillFrame();
+    return batch->setScene(scene, problems) ? std::move(batch) : nullptr;
+}
+
+bool Batch::setScene(const Scene& scene, Problems& problems) {
+    const Settings& settings = impl_->pass.settings;
+    const PreparedScenePtr prepared = prepare(scene);
+    Plan plan = planOf(*prepared, settings, {.es300 = gl::info().essl300});
+    plan.scene.distances |= impl_->pass.distances;
+    Problems faults;
+    const ShaderSource made = buildShader(impl_->pass.file, plan, faults, impl_->overrides);
+    if (faults.empty() && made.text != impl_->source) impl_->compile(plan, made, faults);
     problems.insert(problems.end(), faults.begin(), faults.end());
-    if (!faults.empty()) return nullptr;
-    impl->fillBlocks(pass, packScene(prepared, plan, 0));
-    return std::unique_ptr<Batch>(new Batch(std::move(impl)));
+    if (!faults.empty()) return false;
+    impl_->scene.upload(packScene(prepared, plan, settings.time), plan.scene.dataBlock);
+    return true;
 }
 
 void Batch::upload(std::span<const std::vector<glm::vec4>> inputs) {
@@ -97,7 +119,7 @@ void Batch::upload(std::span<const std::vector<glm::vec4>> inputs) {
     for (std::size_t i = 0; i < inputs.size(); ++i) {
         std::vector<glm::vec4> texels = inputs[i];
         texels.resize(std::size_t(kWidth) * std::size_t(impl_->rows), texels.back()); // the last row ends alike
-        glActiveTexture(GLenum(GL_TEXTURE0 + i));
+        glActiveTexture(GLenum(GL_TEXTURE0 + kInputUnit + i));
         glBindTexture(GL_TEXTURE_2D, impl_->inputs[i].get());
         glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, kWidth, impl_->rows, GL_RGBA, GL_FLOAT, texels.data());
     }
@@ -109,7 +131,7 @@ void Batch::draw(int repeats) {
     glBindVertexArray(impl_->vertexArray.get());
     glUseProgram(impl_->program.get());
     glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, impl_->frame.get());
-    glBindBufferBase(GL_UNIFORM_BUFFER, kSceneBinding, impl_->scene.get());
+    impl_->scene.bind();
     glBindFramebuffer(GL_FRAMEBUFFER, impl_->target.get());
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);

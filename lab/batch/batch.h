@@ -20,7 +20,8 @@ struct BatchPass {
     std::vector<const char*> inputs; ///< samplers
     int outputs = 1;
     bool distances = false; ///< SceneFeatures::distances, whatever the settings say
-    Settings settings{};    ///< what the pass is built for, and the numbers of its shadow model
+    Settings settings{};    ///< what the pass is built for, its time, and the numbers of its shadow model and march
+    float pixelAngle = 0;   ///< of the cones that marches take rays for
 };
 
 class Batch {
@@ -29,9 +30,14 @@ class Batch {
 
     /// The pass for a scene's shapes in the current context; null, with problems, where it does not compile or the
     /// context cannot draw float32. `overrides` as for buildShader().
+    /// Scene data lie in a uniform block unless the settings say otherwise.
     static std::unique_ptr<Batch> make(const BatchPass&, const Scene&, Problems&,
                                        std::span<const ShaderFile> overrides);
     ~Batch();
+
+    /// Goes on with another scene. Compiles only where its source is another one: scenes that differ in values share
+    /// theirs. False, with problems, where that fails.
+    bool setScene(const Scene&, Problems&);
 
     /// One vector an input, all of the same size of at most kMost.
     void upload(std::span<const std::vector<glm::vec4>> inputs);

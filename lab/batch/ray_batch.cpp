@@ -28,7 +28,12 @@ double secondsOf(Batch& batch, std::span<const BatchRay> rays, int repeats, doub
 } // namespace
 
 RayBatch::RayBatch(const Scene& scene, Problems& problems, std::span<const ShaderFile> overrides)
-    : batch_(Batch::make({"pass/intersect.frag", {"rayOrigins", "rayDirections"}, 3}, scene, problems, overrides)) {}
+    : RayBatch(scene, {}, 0, problems, overrides) {}
+
+RayBatch::RayBatch(const Scene& scene, const Settings& settings, float pixelAngle, Problems& problems,
+                   std::span<const ShaderFile> overrides)
+    : batch_(Batch::make({"pass/intersect.frag", {"rayOrigins", "rayDirections"}, 3, false, settings, pixelAngle},
+                         scene, problems, overrides)) {}
 
 std::vector<BatchHit> RayBatch::trace(std::span<const BatchRay> rays) {
     std::vector<BatchHit> hits;

@@ -9,9 +9,11 @@ namespace gnomon {
 
 struct BatchRay {
     glm::vec3 origin{0};
-    float side = 0; ///< +1: starts on the first object and travels outside of it, −1: inside; 0: starts nowhere
+    float side = 0; ///< 1 + i: starts on object i, in the shader's order, and travels outside of it; −1 − i: inside
     glm::vec3 direction{0, 0, 1}; ///< unit
-    float tMin = 0;
+    float tMin = 0;               ///< hits nearer than that are rounding of the start; < 0: as rayFrom() tells it
+
+    int self() const { return int(side < 0 ? -side : side) - 1; } ///< the object that it starts on, −1: none
 };
 
 struct BatchHit {
@@ -26,7 +28,12 @@ class RayBatch {
     /// that fails or the context cannot draw float32.
     /// `overrides` take the place of shader files of the same name, as for buildShader().
     RayBatch(const Scene&, Problems&, std::span<const ShaderFile> overrides = {});
+    /// For the settings' search, march and time, with cones of that angle.
+    RayBatch(const Scene&, const Settings&, float pixelAngle, Problems&, std::span<const ShaderFile> overrides = {});
     bool valid() const { return batch_ != nullptr; }
+
+    /// As Batch::setScene().
+    bool setScene(const Scene& scene, Problems& problems) { return batch_->setScene(scene, problems); }
 
     /// One answer a ray, in order.
     std::vector<BatchHit> trace(std::span<const BatchRay>);

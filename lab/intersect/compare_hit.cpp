@@ -48,30 +48,30 @@ Bounds boundsOf(ShapeKind kind) {
     return {};
 }
 
-namespace {
-
 Scale scaleOf(const ExactShape<double>& shape, const Line<double>& line, const ExactHit<double>& exact,
-              const Vec3<double>& p) {
-    const double size = shape.size(), away = std::abs(line.start) + length(line.p) + size;
+              const Vec3<double>& p, double extent) {
+    const double size = std::max(shape.size(), extent), away = std::abs(line.start) + length(line.p) + size;
     const bool sizeless = shape.kind() == ShapeKind::Plane;
     Scale scale;
     scale.bend = shape.bend(exact.point);
     scale.band = sizeless ? away : size;
     scale.distance = std::max({double(exact.t), 3 * size, sizeless ? away : 0});
-    if (shape.triangle()) scale.distance *= size / scale.bend;
+    if (shape.triangle()) scale.distance *= shape.size() / scale.bend;
     const Vec3<long double> middle = shape.middle();
     const double written = double(std::max({std::abs(middle.x), std::abs(middle.y), std::abs(middle.z)}));
     scale.rounding = 0x1p-23 * (written + size + (sizeless ? length(p) : 0));
     return scale;
 }
 
-} // namespace
-
 Verdict compareHit(const ExactShape<double>& shape, const BatchRay& ray, const BatchHit& answer) {
     const Line<double> line = lineOf(shape, ray.origin, ray.direction);
-    const ExactHit<double> exact = exactHit(shape, line);
+    return compareHit(shape, line, exactHit(shape, line), answer);
+}
+
+Verdict compareHit(const ExactShape<double>& shape, const Line<double>& line, const ExactHit<double>& exact,
+                   const BatchHit& answer, double extent) {
     const Vec3<double> p(Vec3<long double>(answer.point) - shape.middle());
-    const Scale scale = scaleOf(shape, line, exact, p);
+    const Scale scale = scaleOf(shape, line, exact, p, extent);
     const bool got = answer.object >= 0;
     const Bounds bounds = boundsOf(shape.kind());
     const double band = bounds.band * scale.band;

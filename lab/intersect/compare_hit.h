@@ -27,6 +27,10 @@ struct Scale {
     double rounding;
     double bend; ///< smallest radius of curvature; of a flat shape its smallest height
 };
+/// `p`: the told surface point, from the middle. `extent`: the radius of all of a scene's triangles together, which one
+/// of them is as exact as.
+Scale scaleOf(const ExactShape<double>&, const Line<double>&, const ExactHit<double>&, const Vec3<double>& p,
+              double extent = 0);
 
 /// One answer, compared. Errors are 0 where either side misses.
 struct Verdict {
@@ -45,6 +49,9 @@ struct Verdict {
     bool wrong() const { return missed || invented || elsewhere; }
 };
 Verdict compareHit(const ExactShape<double>&, const BatchRay&, const BatchHit&);
+/// The same where the exact answer is known. The answer's object is 0 if it is this shape.
+Verdict compareHit(const ExactShape<double>&, const Line<double>&, const ExactHit<double>&, const BatchHit&,
+                   double extent = 0);
 
 /// Somewhere on the way along the line from where it meets the surface to s it is farther than `slack` off the surface.
 bool leavesSurface(const ExactShape<double>&, const Line<double>&, double met, double s, double slack);

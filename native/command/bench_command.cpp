@@ -164,6 +164,7 @@ int bench(const BenchOptions& options) {
     const std::vector<BenchScene> scenes = loadScenes(plan, problems);
     if (!problems.empty()) return fail(kInputWrong, problems);
     checkEntries(plan, scenes, problems);
+    sparesInputs(options.files, problems);
     if (!problems.empty()) return fail(kCommandLineWrong, problems);
     compileFromNothing();
     for (const std::string& name : options.contexts) makeBenchContext(name, problems);

@@ -33,6 +33,10 @@ void checkFileOptions(const LabOptions& options, Problems& problems) {
         if (!file.empty()) prepareOutput(file, problems);
 }
 
+bool sparesInputs(const LabOptions& options, Problems& problems) {
+    return sparesInputs(options.json, problems) && sparesInputs(options.html, problems);
+}
+
 std::string inShell(const std::string& word) {
     const bool plain = word.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:+-") ==
                        std::string::npos;

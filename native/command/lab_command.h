@@ -22,6 +22,8 @@ void checkLabOptions(const LabOptions&, Problems&);
 /// Just --json and --html.
 void addFileOptions(CLI::App& command, LabOptions&);
 void checkFileOptions(const LabOptions&, Problems&);
+/// A problem where results would replace a scene: to be asked once all are read.
+bool sparesInputs(const LabOptions&, Problems&);
 
 /// A word as a shell takes it for itself: in quotes where it has anything but letters, digits and what means nothing.
 std::string inShell(const std::string& word);

@@ -2,6 +2,7 @@
 #include "native/command/commands.h"
 #include "native/context/context.h"
 #include "native/file/image_file.h"
+#include "native/file/output_file.h"
 #include "tracer/printable.h"
 #include "tracer/render/renderer.h"
 
@@ -56,6 +57,7 @@ int render(const RenderOptions& options) {
 
     auto loaded = load(options.drawing.scene, problems);
     if (!loaded) return fail(kInputWrong, problems);
+    if (!sparesInputs(options.file, problems)) return fail(kCommandLineWrong, problems);
     note(loaded->notes);
     const auto pose = poseOf(loaded->scene, *settings, problems);
     if (!pose) return fail(kCommandLineWrong, problems);

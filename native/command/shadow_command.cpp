@@ -93,6 +93,7 @@ int labShadows(ShadowOptions options) {
     for (const std::string& name : options.scenes)
         if (auto loaded = load(name, problems)) scenes.push_back(std::move(*loaded));
     if (!problems.empty()) return fail(kInputWrong, problems);
+    if (!sparesInputs(options.lab, problems)) return fail(kCommandLineWrong, problems);
     const ContextKind kind = *contextNamed(options.lab.context);
     const auto context = makeContext(kind, problems);
     if (!context) return fail(kNoGl, problems);

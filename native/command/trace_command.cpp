@@ -116,6 +116,7 @@ int labTrace(const TraceOptions& options) {
     if (!problems.empty()) return fail(kCommandLineWrong, problems);
     const std::vector<Loaded> scenes = loadScenes(options.scenes, problems);
     if (!problems.empty()) return fail(kInputWrong, problems);
+    if (!sparesInputs(options.lab, problems)) return fail(kCommandLineWrong, problems);
     compileFromNothing();
     const ContextKind kind = *contextNamed(options.lab.context);
     const auto context = makeContext(kind, problems);

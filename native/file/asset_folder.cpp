@@ -2,6 +2,7 @@
 
 #include "native/file/input_file.h"
 #include "tracer/image_header.h"
+#include "tracer/image_memory.h"
 #include "tracer/scene/json_document.h"
 #include "tracer/scene/read_scene.h"
 
@@ -41,16 +42,42 @@ std::uint64_t decodedBytes(const fs::path& file) {
     return header ? header->pixels() * 4 : 0;
 }
 
+constexpr std::array<std::string_view, 4> kImageEndings{".png", ".jpg", ".jpeg", ".hdr"};
+
+bool endsAsAnImage(const std::string& name) {
+    std::string ending = fs::path(name).extension().string();
+    for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
+    return std::find(kImageEndings.begin(), kImageEndings.end(), ending) != kImageEndings.end();
+}
+
 /// Files that an image's name may mean, the first that exists is taken: docs/scenes.md tells the rule, and
 /// web/page/load.js has it too.
 std::vector<std::string> filesNamed(const std::string& name) {
-    constexpr std::array<std::string_view, 4> kEndings{".png", ".jpg", ".jpeg", ".hdr"};
-    std::string ending = fs::path(name).extension().string();
-    for (char& c : ending) c = char(std::tolower(static_cast<unsigned char>(c)));
-    if (std::find(kEndings.begin(), kEndings.end(), ending) != kEndings.end()) return {name};
+    if (endsAsAnImage(name)) return {name};
     std::vector<std::string> files;
     for (const char* added : {".png", ".PNG", ".jpg", ".JPG", ".jpeg", ".JPEG"}) files.push_back(name + added);
     return files;
+}
+
+/// What a background's images are not: squares of one size, or twice as wide as high. They are stretched then.
+void noteSizes(const Scene& scene, const NamedImages& images, Problems& notes) {
+    const std::string &cube = scene.background.cubemap, &panorama = scene.background.image;
+    const auto isFace = [&](const std::string& name) {
+        return !cube.empty() && name.size() == cube.size() + 3 && name.starts_with(cube); // CUBE-px
+    };
+    int side = 0;
+    for (const auto& [name, image] : images) {
+        std::string wanted;
+        if (isFace(name) && (image.width != image.height || (side != 0 && side != image.width)))
+            wanted = "those of a cube map are squares of one size";
+        else if (name == panorama && image.width != 2 * image.height)
+            wanted = "a background's is twice as wide as high";
+        if (isFace(name)) side = image.width;
+        if (wanted.empty()) continue;
+        const std::string size = std::to_string(image.width) + " x " + std::to_string(image.height);
+        notes.push_back({scene.file, 0, {}, "image '" + name + "' is stretched: it has " + size, wanted});
+        return;
+    }
 }
 
 /// Is `text` a path rather than a scene's name?
@@ -123,8 +150,13 @@ std::optional<Scene> AssetFolder::readScene(const std::string& nameOrFile, Probl
     const auto text = readInput(file->string(), kMaxJsonBytes, "use a smaller scene", problems);
     if (!text) return std::nullopt;
     const fs::path folder = isFile(*file) ? file->parent_path() : fs::path();
-    const auto beside = [&](const std::string& path, Problems& missing) {
-        return readInput((folder / path).string(), kMaxSceneFileBytes, "use a smaller file", missing);
+    const auto beside = [&](const std::string& path, Problems& wrong) -> std::optional<std::string> {
+        const fs::path besides = folder / path;
+        std::error_code ignored;
+        if (!fs::exists(besides, ignored) || isFile(besides) || isFolder(besides))
+            return readInput(besides.string(), kMaxSceneFileBytes, "use a smaller file", wrong);
+        wrong.push_back({besides.string(), 0, {}, "is a pipe or a device", "name a file"}); // it might never end
+        return std::nullopt;
     };
     return gnomon::readScene(*text, inputName(file->string()), problems, beside);
 }
@@ -137,12 +169,17 @@ std::optional<fs::path> AssetFolder::imageFileOf(const Scene& scene, const std::
     for (const fs::path& parent : {folder, root_ / "textures"})
         for (const std::string& file : files)
             if (isFile(parent / file)) return parent / file;
-    problems.push_back({scene.file,
-                        0,
-                        {},
-                        "image '" + name + "' is missing",
-                        "put it at " + (folder / files[0]).string() + " or " +
-                            (root_ / "textures" / files[0]).string() + (files.size() > 1 ? ", or as .jpg" : "")});
+    std::string what = "is missing";
+    std::string remedy = "put it at " + (folder / files[0]).string() + " or " +
+                         (root_ / "textures" / files[0]).string() + (files.size() > 1 ? ", or as .jpg" : "");
+    if (isFile(folder / name)) {
+        what = "is of a format that is not read";
+        remedy = "convert it to PNG or JPEG, or to Radiance HDR if it is a background";
+    } else if (const std::string& cubemap = scene.background.cubemap;
+               endsAsAnImage(cubemap) && name.starts_with(cubemap)) {
+        remedy = "leave the ending out of the cube map's name: the files NAME-px and so on have it";
+    }
+    problems.push_back({scene.file, 0, {}, "image '" + name + "' " + what, remedy});
     return std::nullopt;
 }
 
@@ -155,29 +192,35 @@ std::optional<NamedImages> AssetFolder::readImages(const Scene& scene, Problems&
             files.emplace_back(name, *file);
             decoded += decodedBytes(*file);
         }
-    const auto tooMuch = [&](std::uint64_t bytes) {
-        if (bytes <= kMostDecodedBytes) return false;
+    const auto tooMuch = [&](std::uint64_t bytes, std::uint64_t most, const std::string& when = {}) {
+        if (bytes <= most) return false;
         problems.push_back({scene.file,
                             0,
                             {},
-                            "its images take " + std::to_string(bytes >> 20) + " MB; 512 MB are the most",
+                            "its images take " + std::to_string(bytes >> 20) + " MB" + when + "; " +
+                                std::to_string(most >> 20) + " MB are the most",
                             "use fewer or smaller images"});
         return true;
     };
-    if (tooMuch(decoded)) return std::nullopt;
+    if (tooMuch(decoded, kMostDecodedBytes)) return std::nullopt;
     NamedImages images;
     std::uint64_t held = 0; // what files say of themselves may stand behind where it was looked for
     for (const auto& [name, file] : files) {
         const auto bytes = readInput(file.string(), kMostFileBytes, "use a smaller image", problems);
         if (!bytes) continue;
         const std::span span(reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size());
+        const auto header = measureImage(file.string(), span, problems);
+        if (!header) continue;
+        if (tooMuch(held + bytes->size() + header->decodeBytes, kMostImageMemory, " while " + name + " is decoded"))
+            return std::nullopt;
         auto image = decodeImage(file.string(), span, problems);
         if (!image) continue;
-        if (tooMuch(held += image->rgba.size())) return std::nullopt;
+        if (tooMuch(held += image->rgba.size(), kMostDecodedBytes)) return std::nullopt;
         images.emplace_back(name, std::move(*image));
         const std::string note = colorNote(span);
         if (notes && !note.empty()) notes->push_back({file.string(), 0, {}, note, "convert it to sRGB"});
     }
+    if (notes) noteSizes(scene, images, *notes);
     return problems.size() == before ? std::optional(std::move(images)) : std::nullopt;
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <set>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -13,6 +15,8 @@ namespace gnomon {
 namespace {
 
 constexpr std::size_t kPiece = 1 << 16;
+
+std::set<std::pair<dev_t, ino_t>> filesRead;
 
 class Input {
   public:
@@ -43,6 +47,11 @@ ssize_t readPiece(int descriptor, std::string& bytes, std::size_t most) {
 
 } // namespace
 
+bool wasRead(const std::string& file) {
+    struct stat status {};
+    return stat(file.c_str(), &status) == 0 && filesRead.contains({status.st_dev, status.st_ino});
+}
+
 std::string inputName(const std::string& file) { return file == "-" ? "standard input" : file; }
 
 std::optional<std::string> readInput(const std::string& file, std::size_t most, const std::string& remedy,
@@ -61,6 +70,7 @@ std::optional<std::string> readInput(const std::string& file, std::size_t most, 
     if (S_ISDIR(status.st_mode)) return refuse("is a folder", "name a file");
     if (S_ISBLK(status.st_mode) || (S_ISCHR(status.st_mode) && !isatty(in.get())))
         return refuse("is a device", "name a file");
+    if (S_ISREG(status.st_mode)) filesRead.emplace(status.st_dev, status.st_ino);
     const std::string limit = "; at most " + std::to_string(most) + " are read";
     if (std::size_t(status.st_size) > most)
         return refuse("the file has " + std::to_string(status.st_size) + " bytes" + limit, remedy);

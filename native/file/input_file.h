@@ -13,6 +13,9 @@ namespace gnomon {
 /// there are more than `most` (`remedy` says what to do then), where it is a folder or a device, or cannot be read.
 std::optional<std::string> readInput(const std::string& file, std::size_t most, const std::string& remedy, Problems&);
 
+/// Whether it is a regular file that has been read here, under whatever name.
+bool wasRead(const std::string& file);
+
 /// As messages call it.
 std::string inputName(const std::string& file);
 

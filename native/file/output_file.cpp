@@ -1,5 +1,7 @@
 #include "native/file/output_file.h"
 
+#include "native/file/input_file.h"
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -183,7 +185,14 @@ bool prepareOutput(const std::string& file, Problems& problems) {
     return refuse(std::string("cannot be written: ") + std::strerror(errno), "check the name and its permissions");
 }
 
+bool sparesInputs(const std::string& file, Problems& problems) {
+    if (file.empty() || !wasRead(file)) return true;
+    problems.push_back({file, 0, {}, "has been read here, and would be lost", "write to another file"});
+    return false;
+}
+
 bool writeOutput(const std::string& file, std::string_view bytes, Problems& problems) {
+    if (!sparesInputs(file, problems)) return false;
     if (writeTo(file, bytes)) return true;
     problems.push_back({inWords(file),
                         0,

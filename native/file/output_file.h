@@ -18,7 +18,11 @@ namespace gnomon {
 /// what is printed goes to stderr from here on.
 bool prepareOutput(const std::string& file, Problems&);
 
-/// False, with a problem, where the bytes cannot be written.
+/// A problem where `file` has been read here: a result would replace it. To be asked once all is read, before long
+/// work; an empty name is none.
+bool sparesInputs(const std::string& file, Problems&);
+
+/// False, with a problem, where the bytes cannot be written, or would replace what has been read.
 bool writeOutput(const std::string& file, std::string_view bytes, Problems&);
 
 /// It has no name whose ending could tell a format: standard output, a pipe or a device.

@@ -143,10 +143,6 @@ vec3 radiance(Ray ray) {
             float side = at.side;
             float width = path.width;
 #if REFLECTION
-#if CUTS
-            bool mirrors = at.material.optics == kDielectric || at.material.optics == kConductor;
-            if (mirrors && path.depth == frame.depth) cut += largest(throughput);
-#endif
 #if PASSES_ON
             if (at.material.optics == kDielectric && path.depth >= frame.depth) {
                 ++path.depth;

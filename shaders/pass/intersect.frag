@@ -1,9 +1,9 @@
 // One given ray a pixel, instead of a camera's: what the intersectors answer, as float32, for measuring and testing
 // them.
 //
-// rayOrigins     xyz: origin; w: +1 where the ray starts on object 0 and travels outside of it, -1 inside, 0: starts
-//                nowhere
-// rayDirections  xyz: direction, unit to float32; w: tMin
+// rayOrigins     xyz: origin; w: 1 + i where the ray starts on object i and travels outside of it, -1 - i inside, 0:
+//                starts nowhere
+// rayDirections  xyz: direction, unit to float32; w: tMin, < 0: as rayFrom() tells it
 // outHit         x: t, y: number of the object in the shader's order, -1 where nothing is hit
 // frame.repeats  how often each ray is intersected, 1 unless that is to be timed: the surface is worked out once
 // outPoint       xyz: the surface point, outNormal  xyz: its normal, outward; 0 where nothing is hit
@@ -24,7 +24,8 @@ void main() {
     ivec2 at = ivec2(gl_FragCoord.xy);
     vec4 origin = texelFetch(rayOrigins, at, 0);
     vec4 direction = texelFetch(rayDirections, at, 0);
-    Ray ray = Ray(origin.xyz, direction.xyz, direction.w, origin.w == 0.0 ? -1 : 0, origin.w);
+    Ray ray = rayFrom(origin.xyz, direction.xyz, int(abs(origin.w)) - 1, sign(origin.w));
+    if (direction.w >= 0.0) ray.tMin = direction.w;
     float t = 0.0;
     int object = -1;
     for (int i = 0; i < frame.repeats; ++i) {

@@ -12,9 +12,6 @@
 #include "software/coverage_mask.glsl"
 #include "ray/nearest.glsl"
 #include "software/hooks.glsl"
-#if CUTS
-float cut = 0.0; // the part of the pixel's light that rays of the largest depth carry to glass and mirrors
-#endif
 #if OUTPUT == COLOR || OUTPUT == WORK || OUTPUT == STEPS
 #include "integrator/whitted.glsl"
 #elif OUTPUT == VISIBILITY
@@ -24,13 +21,7 @@ float cut = 0.0; // the part of the pixel's light that rays of the largest depth
 #endif
 #endif
 
-#if OUTPUT == COLOR && CUTS
-// In alpha what the largest depth leaves: tracer/render/depth_cut.h.
-vec4 pixel(Ray ray) {
-    vec3 color = radiance(ray);
-    return vec4(color, 1.0 - cut);
-}
-#elif OUTPUT == COLOR
+#if OUTPUT == COLOR
 vec4 pixel(Ray ray) { return vec4(radiance(ray), 1.0); }
 #elif OUTPUT == WORK || OUTPUT == STEPS
 // Boxes, objects and shadow rays that the colour of this pixel takes, or evaluations of distances.

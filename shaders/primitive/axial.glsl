@@ -1,6 +1,8 @@
 // What the shapes about an axis share: the axis between two points, and a ray seen from it.
 //
 // axialRay    the ray re-centred on the middle of the axis and split into its parts along and across it
+// endsSpan    between the two planes across the ends. Along `toMiddle` as it is: a unit axis is rounded, and where an
+//             end is met, along the ray, would be less exact the farther away it is
 // onAxis      the point of the world at an offset from the middle
 // axialPoint  a point's parts along and across it, from the middle
 // around      unit direction from the axis to a point; any where the point lies on the axis
@@ -32,11 +34,17 @@ Axis axisBetween(vec3 from, vec3 to) {
 vec3 onAxis(Axis axis, vec3 offset) { return axis.from + (axis.toMiddle + offset); }
 
 AxialRay axialRay(Axis axis, Ray ray) {
-    NearRay near = recentre(ray.origin, axis.from, ray.direction);
-    near.origin -= axis.toMiddle;
+    vec3 middle = optimisationBarrier(axis.from + axis.toMiddle);
+    NearRay near = recentre(ray.origin, middle, ray.direction);
+    near.origin -= lostBy(middle, axis.from, -axis.toMiddle);
     float along = dot(near.origin, axis.along);
     float alongStep = dot(ray.direction, axis.along);
     return AxialRay(near, near.origin - along * axis.along, ray.direction - alongStep * axis.along, along, alongStep);
+}
+
+vec2 endsSpan(Axis axis, AxialRay ray, vec3 direction) {
+    vec3 along = axis.toMiddle;
+    return slabSpan(dot(ray.near.origin, along), dot(direction, along), dot(along, along));
 }
 
 #if DISTANCES

@@ -47,7 +47,7 @@ bool intersectCylinder(Cylinder cylinder, Ray ray, float side, inout float t) {
     if (side == 0.0 && passesBy(ray, ballCylinder(cylinder))) return false;
     AxialRay local = axialRay(cylinder.axis, ray);
     vec2 span = commonSpan(roundSpan(local.across, local.acrossStep, cylinder.radius),
-                           slabSpan(local.along, local.alongStep, cylinder.axis.halfLength));
+                           endsSpan(cylinder.axis, local, ray.direction));
     return meetConvex(local.near, span, ray, side, t);
 }
 
@@ -55,7 +55,7 @@ Surface surfaceCylinder(Cylinder cylinder, Ray ray, float t) {
     Axis axis = cylinder.axis;
     AxialRay local = axialRay(axis, ray);
     vec2 wall = roundSpan(local.across, local.acrossStep, cylinder.radius);
-    vec2 ends = slabSpan(local.along, local.alongStep, axis.halfLength);
+    vec2 ends = endsSpan(axis, local, ray.direction);
     float end;
     float s = spanEnd(local.near, commonSpan(wall, ends), t, end);
     vec3 across = local.across + s * local.acrossStep;

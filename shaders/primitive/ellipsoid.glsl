@@ -12,16 +12,16 @@
 //                     Hessian of a trust region is, nearly a straight line (J. Moré, D. Sorensen, 1983)
 // Limits              radii > 0, the longest at most 1e4 times the shortest
 #include "primitive/convex.glsl"
-#include "primitive/rotation.glsl"
 
 struct Ellipsoid {
     vec3 center;
     vec3 radii;
-    mat3 axes;
+    mat3 axes; // as columns: axes * v rotates v, v * axes rotates it back
 };
 
 Ellipsoid loadEllipsoid(int at) {
-    return Ellipsoid(sceneTexel(at).xyz, sceneTexel(at + 1).xyz, axesOf(sceneTexel(at + 2).xyz));
+    mat3 axes = mat3(sceneTexel(at + 2).xyz, sceneTexel(at + 3).xyz, sceneTexel(at + 4).xyz);
+    return Ellipsoid(sceneTexel(at).xyz, sceneTexel(at + 1).xyz, axes);
 }
 
 vec4 ballEllipsoid(Ellipsoid ellipsoid) {
@@ -30,6 +30,16 @@ vec4 ballEllipsoid(Ellipsoid ellipsoid) {
 
 // A vector from the centre in lengths of the radii, and back.
 vec3 inRadii(Ellipsoid ellipsoid, vec3 v) { return (v * ellipsoid.axes) / ellipsoid.radii; }
+// The same with the products of 12-bit halves exact: half of what rotating rounds.
+vec3 inRadiiExactly(Ellipsoid ellipsoid, vec3 v) {
+    vec3 high = high12(v);
+    vec3 low = optimisationBarrier(v - high);
+    mat3 axes = ellipsoid.axes;
+    mat3 coarse = mat3(high12(axes[0]), high12(axes[1]), high12(axes[2]));
+    mat3 fine = mat3(optimisationBarrier(axes[0] - coarse[0]), optimisationBarrier(axes[1] - coarse[1]),
+        optimisationBarrier(axes[2] - coarse[2]));
+    return (high * coarse + (high * fine + low * axes)) / ellipsoid.radii;
+}
 vec3 fromRadii(Ellipsoid ellipsoid, vec3 u) { return ellipsoid.axes * (ellipsoid.radii * u); }
 
 #if DISTANCES
@@ -57,20 +67,37 @@ vec4 distanceEllipsoid(Ellipsoid ellipsoid, vec3 p, vec3 from) {
 }
 #endif
 
+// The interval of the ray p + s d, both in lengths of the radii, inside: about its middle, each end put back once by
+// Newton.
+vec2 ellipsoidSpan(vec3 p, vec3 d) {
+    float square = dot(d, d);
+    float middle = -dot(p, d) / square;
+    vec3 nearest = p + middle * d;
+    float radial = length(nearest);
+    float halfSquare = (1.0 - radial) * (1.0 + radial) / square;
+    if (!(halfSquare >= 0.0)) return kNever;
+    vec2 s = sqrt(halfSquare) * vec2(-1.0, 1.0);
+    float lean = dot(nearest, d);
+    vec2 off = (dot(nearest, nearest) - 1.0) + s * (s * square + 2.0 * lean);
+    vec2 slope = 2.0 * (lean + s * square);
+    s -= halfSquare * square > 1e-6 ? off / slope : vec2(0.0); // at a tangent there is no slope
+    return middle + s;
+}
+
 bool intersectEllipsoid(Ellipsoid ellipsoid, Ray ray, float side, inout float t) {
     if (side > 0.0) return false; // convex: what leaves it never comes back
     if (side == 0.0 && passesBy(ray, ballEllipsoid(ellipsoid))) return false;
     NearRay near = recentre(ray.origin, ellipsoid.center, ray.direction);
-    vec2 span = roundSpan(inRadii(ellipsoid, near.origin), inRadii(ellipsoid, ray.direction), 1.0);
+    vec2 span = ellipsoidSpan(inRadiiExactly(ellipsoid, near.origin), inRadiiExactly(ellipsoid, ray.direction));
     return meetConvex(near, span, ray, side, t);
 }
 
 Surface surfaceEllipsoid(Ellipsoid ellipsoid, Ray ray, float t) {
     NearRay near = recentre(ray.origin, ellipsoid.center, ray.direction);
-    vec3 p = inRadii(ellipsoid, near.origin);
-    vec3 d = inRadii(ellipsoid, ray.direction);
+    vec3 p = inRadiiExactly(ellipsoid, near.origin);
+    vec3 d = inRadiiExactly(ellipsoid, ray.direction);
     float end;
-    vec3 u = p + spanEnd(near, roundSpan(p, d, 1.0), t, end) * d;
+    vec3 u = p + spanEnd(near, ellipsoidSpan(p, d), t, end) * d;
     // Back onto the surface across itself: a step along u would lead along the surface where a radius is short.
     vec3 gradient = u / ellipsoid.radii;
     u = normalize(u - 0.5 * (dot(u, u) - 1.0) / dot(gradient, gradient) * gradient / ellipsoid.radii);

@@ -9,16 +9,16 @@
 //                 counts
 // Limits          those of a box
 #include "primitive/box.glsl"
-#include "primitive/rotation.glsl"
 
 struct RotatedBox {
     vec3 center;
     Box box; // about 0, along the axes
-    mat3 axes;
+    mat3 axes; // as columns: axes * v rotates v, v * axes rotates it back
 };
 
 RotatedBox loadRotatedBox(int at) {
-    return RotatedBox(sceneTexel(at).xyz, Box(vec3(0.0), sceneTexel(at + 1).xyz), axesOf(sceneTexel(at + 2).xyz));
+    mat3 axes = mat3(sceneTexel(at + 2).xyz, sceneTexel(at + 3).xyz, sceneTexel(at + 4).xyz);
+    return RotatedBox(sceneTexel(at).xyz, Box(vec3(0.0), sceneTexel(at + 1).xyz), axes);
 }
 
 vec4 ballRotatedBox(RotatedBox rotated) { return vec4(rotated.center, length(rotated.box.halfSize)); }

@@ -73,12 +73,12 @@ TubeRay tubeRay(Torus torus, vec3 p, vec3 d) {
 }
 
 // g at s and half its derivative, both times the distance from the axis: that spares a division. `lost` makes up for a
-// square root that is coarse on some GPUs.
+// square root that is coarse on some GPUs; compilers that fold the square of a root would fold it to 0.
 vec2 tubeResidual(Torus torus, TubeRay ray, float s) {
     vec3 across = ray.across + s * ray.acrossStep;
     float z = ray.z + s * ray.dz;
     float square = dot(across, across);
-    float fromAxis = sqrt(square);
+    float fromAxis = optimisationBarrier(vec3(sqrt(square))).x;
     float lost = square - fromAxis * fromAxis;
     float q = fromAxis - torus.major;
     float g = (q * q + (z * z - torus.minor * torus.minor)) * fromAxis + q * lost;
@@ -228,7 +228,8 @@ bool intersectTorus(Torus torus, Ray ray, float side, inout float t) {
     TubeRay tube = tubeRay(torus, near.origin, ray.direction);
     vec2 bounds = torusBounds(torus, tube);
     float start = ((side == 0.0 ? ray.tMin : 0.0) - near.tHigh) - near.tLow;
-    float startsOn = start > bounds.x ? side : 1.0; // before the bounds is outside
+    // Before the bounds is outside, but for a ray that leaves inward: it starts there by rounding.
+    float startsOn = side < 0.0 || start > bounds.x ? side : 1.0;
     bounds.x = max(bounds.x, start);
     if (!(bounds.x <= bounds.y)) return false;
     float s;

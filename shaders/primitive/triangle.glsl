@@ -57,6 +57,9 @@ vec4 distanceTriangle(Triangle triangle, vec3 p, vec3 from) {
 }
 #endif
 
+// Rays meet the scene's own triangles; those in solids are told by their distance only.
+#if TRIANGLES || SMOOTH
+
 // Of the box about all triangles of the scene: their texels carry it along.
 vec3 middleOfTriangles() {
 #if TRIANGLES
@@ -135,6 +138,8 @@ Surface surfaceTriangle(Triangle triangle, Ray ray, float t) {
 #endif
     return surface;
 }
+
+#endif
 
 #if COVERS
 #include "shadow/outline.glsl"

@@ -136,6 +136,9 @@ Surface surfaceAt(int object, Ray ray, float t) {
 #for Shape in SHAPES
     if (object < k$ShapeEnd) {
         int index = k$ShapeCount == 1 ? 0 : object - k$ShapeFirst; // the one index is known before any pixel is drawn
+#if $SHAPE_ESTIMATED
+        ray.side = startSide(ray, object);
+#endif
         return surface$Shape(object$Shape(index), ray, t);
     }
 #endfor

@@ -5,15 +5,20 @@
 //            reach is not met.
 //            MARCH_STEPS: equal steps of the sphere: what is thinner than a step may be missed
 //            MARCH_SPHERE: steps as long as the distance, or what float32 resolves of the sphere
-//            MARCH_CONE: or half the width of the pixel's cone, taken to widen from the eye
+//            MARCH_CONE: or half the width of the pixel's cone, taken to widen from the eye, and of a solid that is no
+//            estimate at most 1/64 of the sphere's radius. Taken back where the distance behind it or its slope are not
+//            those of the plane that the ray was by
 //            MARCH_RELAXED: that with steps as long as if the distance went on to change along the ray as it did, taken
 //            back where the balls free of the surface about both ends do not touch
 //            Where the surface is as near as the least step, the step is to where its tangent plane says, and a little
 //            beyond. Only what has the solid beyond it is met: a surface that the ray just touches, as the skin that
 //            two flush solids leave over a hole, is passed. Steps and so t are the same whatever was met before: of
 //            equal solids the first is met. An estimate has no gradient, and its surface detail without end: it is met
-//            where it is as near as the least step
-// surface    the point pulled onto the surface along the gradient; images lie on it as on a floor, in scene units
+//            where it is as near as the least step, by MARCH_STEPS just before it; in scenes with glass a ray that
+//            leaves it meets it again only beyond that detail
+// surface    the point pulled onto the surface along the gradient; images lie on it as on a floor, in scene units. Of
+//            an estimate the normal faces a ray from outside, and not one from inside: `ray.side` is that on which the
+//            ray travels, 0 where only the distance tells
 // gradient   of an estimate: differences over a tetrahedron of size `reach`
 // Error      t: a point at most 2^-18 of the sphere's radius off the surface; what is thinner than that is not met.
 //            Of an estimate: short of the surface by what the pixel covers, the point at most half of that beside it
@@ -28,6 +33,7 @@ struct $Shape {
 
 $Shape load$Shape(int at) { return $Shape(at, sceneTexel(at)); }
 vec4 ball$Shape($Shape solid) { return solid.ball; }
+float detail$Shape($Shape solid) { return 1e-4 * solid.ball.w; } // the least that an estimate's normal is the mean of
 vec4 distance$Shape($Shape solid, vec3 p, vec3 from) { return field$Shape(solid.at, p - solid.ball.xyz); }
 
 vec4 marched$Shape(int at, vec3 p) {
@@ -45,6 +51,9 @@ bool intersect$Shape($Shape solid, Ray ray, float side, inout float t) {
     float limit = min(end, (t - near.tHigh) - near.tLow);
     float s = max(-end, (ray.tMin - near.tHigh) - near.tLow);
     float finest = 1e-6 * solid.ball.w;
+#if REFRACTION && $SHAPE_ESTIMATED
+    if (side != 0.0) s += detail$Shape(solid); // or glass that is dust would be met at every step of a ray
+#endif
     float inside = side;
     float last = s;    // the ray is free up to here
     float known = 0.0; // the distance there
@@ -72,6 +81,8 @@ bool intersect$Shape($Shape solid, Ray ray, float side, inout float t) {
 #endif
 #if $SHAPE_ESTIMATED
     float before = side == 0.0 ? 1e30 : -1.0;
+#else
+    float approached = 0.0; // how fast the ray nears the surface at `last`
 #endif
     for (int i = 0; i < frame.marchSteps && !met; ++i) {
         if (s > end && last + known < end) s = end;
@@ -81,15 +92,25 @@ bool intersect$Shape($Shape solid, Ray ray, float side, inout float t) {
         free = inside * field.w;
         float least = finest;
 #if MARCH == MARCH_CONE || MARCH == MARCH_RELAXED
-        least = max(least, 0.5 * frame.pixelAngle * (near.tHigh + (near.tLow + s)));
+        float width = 0.5 * frame.pixelAngle * (near.tHigh + (near.tLow + s));
+#if $SHAPE_ESTIMATED
+        least = max(least, width);
+#else
+        least = max(least, min(width, solid.ball.w / 64.0)); // smaller than a pixel it has holes and edges still
+#endif
 #endif
         float taken = s - last;
-        bool gap = bold && abs(free) + known < taken; // what lies between is not known to be free
+        bool between = abs(free) + known < taken; // what lies between is not known to be free
+        bool gap = bold && between;
 #if $SHAPE_ESTIMATED
         met = !gap && free < least && free <= before;
         if (!gap) before = free;
 #else
         float approach = -inside * dot(field.xyz, ray.direction);
+        // Half a pixel's width may hold more than the plane that the ray was by, which told another distance and slope.
+        bool foreseen = abs(free - known + approached * taken) < 0.01 * taken + finest
+            && abs(approach - approached) < 0.02;
+        gap = gap || (between && taken > 4.0 * finest && !foreseen);
         gap = gap && !(known < least && free >= 0.0 && free <= known && approach > 0.0); // it nears as was foreseen
         met = free < -finest && (clear || approach > 0.0);
         clear = clear || free > 2.0 * finest;
@@ -100,6 +121,9 @@ bool intersect$Shape($Shape solid, Ray ray, float side, inout float t) {
         if (!met) {
             last = gap ? last : s;
             known = gap ? known : max(free, 0.0);
+#if !$SHAPE_ESTIMATED
+            approached = gap ? approached : approach;
+#endif
             float step = max(known, least);
 #if MARCH == MARCH_RELAXED
             step *= 2.0 / clamp(1.0 - slope, 1.25, 2.0);
@@ -117,7 +141,17 @@ bool intersect$Shape($Shape solid, Ray ray, float side, inout float t) {
     }
 #endif
     if (!met) return false;
-#if MARCH == MARCH_STEPS || !$SHAPE_ESTIMATED
+#if MARCH == MARCH_STEPS && $SHAPE_ESTIMATED
+    // On the near side of what lies between `last` and s: from the point that is met the surface is on that side, too.
+    float beyond = s;
+    for (int i = 0; i < 24 && beyond - last > finest; ++i) {
+        s = 0.5 * (last + beyond);
+        bool nearer = inside * marched$Shape(solid.at, near.origin + s * ray.direction).w > 2.0 * finest;
+        last = nearer ? s : last;
+        beyond = nearer ? beyond : s;
+    }
+    s = last;
+#elif !$SHAPE_ESTIMATED
     // Where the solid is about `finest` deep, between `last` and s by false position: an end that stays twice counts
     // half.
     float beyond = s, depth = free + finest;
@@ -156,14 +190,16 @@ Surface surface$Shape($Shape solid, Ray ray, float t) {
     NearRay near = recentre(ray.origin, solid.ball.xyz, ray.direction);
     vec3 p = near.origin + ((t - near.tHigh) - near.tLow) * ray.direction;
     float free = field$Shape(solid.at, p).w;
-    vec3 gradient = gradient$Shape(solid.at, p, max(0.25 * frame.pixelAngle * t, 1e-4 * solid.ball.w));
+    vec3 gradient = gradient$Shape(solid.at, p, max(0.25 * frame.pixelAngle * t, detail$Shape(solid)));
     float steep = length(gradient);
     vec3 normal = steep > 1e-30 ? gradient / steep : -ray.direction;
 #if $SHAPE_ESTIMATED
     p -= free * normal;
     // A cone that grazes a silhouette ends beside what faces away already: it sees the rim.
+    // And what travels inside meets it from inside: the gradient, which jumps, may say otherwise.
     float facing = dot(normal, ray.direction);
-    if (free >= 0.0 ? facing > 0.0 : facing < 0.0) normal = normalize(normal - 1.001 * facing * ray.direction);
+    float side = ray.side == 0.0 ? (free >= 0.0 ? 1.0 : -1.0) : ray.side;
+    if (side * facing > 0.0) normal = normalize(normal - 1.001 * facing * ray.direction);
 #else
     // Twice: by an edge the first step lands beside the solid, on the plane of one face, the second on the other face.
     p -= free / max(steep, 0.5) * normal;

@@ -20,12 +20,16 @@ struct Scatter {
 };
 
 #if EXACT_FRESNEL
-// Of a clear layer, seen from the air whichever side the ray comes from, of a dielectric or of a conductor.
+// Of a clear layer, seen from without whichever side the ray comes from, of a dielectric or of a conductor.
 vec3 reflectanceOf(ShadingPoint at, float cosine) {
     vec3 reflectance = vec3(0.0);
+#if MEDIA
+    float around = mediumOf(inside).w; // index of what the ray is in
+#endif
 #if COATS || REFRACTION
     vec2 indices = vec2(1.0, at.material.ior); // on the ray's side, beyond
 #if MEDIA
+    indices.x = around;
     indices = at.material.optics == kDielectric ? vec2(at.eta, 1.0) : indices; // their ratio is all that counts
 #elif REFRACTION
     indices = at.material.optics == kDielectric && at.side < 0.0 ? indices.yx : indices;
@@ -33,7 +37,11 @@ vec3 reflectanceOf(ShadingPoint at, float cosine) {
     reflectance = vec3(fresnelDielectric(cosine, indices.x, indices.y));
 #endif
 #if METALS
+#if MEDIA
+    vec3 metal = fresnelConductor(cosine, at.metal.n / around, at.metal.k / around);
+#else
     vec3 metal = fresnelConductor(cosine, at.metal.n, at.metal.k);
+#endif
     reflectance = at.material.optics == kConductor ? metal : reflectance;
 #endif
     return reflectance;

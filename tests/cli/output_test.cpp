@@ -59,3 +59,22 @@ TEST_F(Cli, WritesResultsAsItWritesPictures) {
     EXPECT_TRUE(page.out.starts_with("<!doctype html>"));
     EXPECT_EQ(files(), 2U);
 }
+
+TEST_F(Cli, WritesOverNothingThatItReads) {
+    const std::string scene = R"({"materials": {"m": {"texture": "skin"}},
+        "objects": [{"sphere": {"center": [0, 0, 0], "radius": 1}, "material": "m"}]})";
+    write("ball.json", scene);
+    ASSERT_EQ(gnomon(kSmall + "-o skin.png").code, 0);
+    const std::string skin = readText(folder_ / "skin.png"), lost = "has been read here, and would be lost";
+    fs::create_hard_link(folder_ / "ball.json", folder_ / "same.png");
+    expectRefused("render ball.json -o ball.json --format=png", 2, lost);
+    expectRefused("render ball.json -o same.png", 2, lost);
+    expectRefused("render ball.json -o skin.png", 2, lost);
+    expectRefused("bench ball.json --depth=1 --shadows=off --size=16x12 --repeats=1 --json=ball.json", 2, lost);
+    EXPECT_EQ(readText(folder_ / "ball.json"), scene);
+    EXPECT_EQ(readText(folder_ / "skin.png"), skin);
+    ASSERT_EQ(gnomon("bench lite --depth=1 --shadows=off --size=16x12 --repeats=1 --json=run.json").code, 0);
+    const std::string run = readText(folder_ / "run.json");
+    expectRefused("report run.json -o run.json", 1, lost);
+    EXPECT_EQ(readText(folder_ / "run.json"), run);
+}

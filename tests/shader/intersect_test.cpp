@@ -205,6 +205,9 @@ const Mutant kMutants[] = {
      "largestAxis(leave)"},
     {"torusWithoutTheLowHalf", "torusquarter", RayClass::Grazing, 10000, "ray/split.glsl",
      "    vec3 low = optimisationBarrier(direction - high);", "    vec3 low = vec3(0.0);"},
+    // Nothing changes where the compiler takes the root's square for exact.
+    {"torusWithTooMuchOfWhatItsRootLost", "torusquarter", RayClass::Uniform, 10, "primitive/torus.glsl",
+     "* fromAxis + q * lost;", "* fromAxis + 100.0 * q * lost;"},
     {"ellipsoidWithTheNormalOfASphere", "ellipsoidfat", RayClass::Uniform, 10, "primitive/ellipsoid.glsl",
      "    vec3 normal = gradient / steep;", "    vec3 normal = u;"},
     {"ellipsoidPutBackAlongItself", "ellipsoidthin", RayClass::Axis, 3, "primitive/ellipsoid.glsl",

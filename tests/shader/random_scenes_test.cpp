@@ -73,18 +73,6 @@ constexpr Way kWays[]{
 };
 constexpr Aov kOutputs[]{Aov::Object, Aov::Distance, Aov::Color};
 
-/// Texels without any order, the same for one name.
-Image noise(const std::string& name) {
-    Image image{8, 8, {}};
-    std::uint32_t state = 1;
-    for (const char letter : name) state = 31 * state + std::uint32_t(letter);
-    for (int i = 0; i < 4 * image.width * image.height; ++i) {
-        state = 1664525 * state + 1013904223;
-        image.rgba.push_back(i % 4 == 3 ? 255 : std::uint8_t(state >> 24));
-    }
-    return image;
-}
-
 /// One way, with the programs of a family of scenes.
 class Tracer {
   public:

@@ -123,7 +123,7 @@ TEST_P(Solids, AreMetWhereTheirFieldIsZero) {
     const double pixel = 2 * camera.halfHeight / 48;
     for (const March march : {March::Steps, March::Sphere, March::Cone, March::Relaxed}) {
         const Seen seen = look(scene_, march);
-        int met = 0, compared = 0, smooth = 0;
+        int met = 0, compared = 0, smooth = 0, across = 0;
         for (int y = 0; y < 48; ++y)
             for (int x = 0; x < 64; ++x) {
                 const double u = (2 * (x + 0.5) / 64 - 1) * 64.0 / 48, v = 1 - 2 * (y + 0.5) / 48;
@@ -151,6 +151,7 @@ TEST_P(Solids, AreMetWhereTheirFieldIsZero) {
                 const double off = !estimated_ ? 2e-5 : march >= March::Cone ? cone : 2e-3;
                 ASSERT_LE(std::abs(oracle::fieldOf(treeOf(scene_), p)), off) << "pixel " << x << " " << y;
                 ASSERT_NEAR(glm::length(normal), 1, 1e-5);
+                across += glm::dot(normal, direction) > -0.01;
                 const double miss = oracle::fieldOf(treeOf(scene_), camera.eye + double(t) * direction);
                 if (!estimated_) { // the bound of sdf/solid.glsl, and roundings of t
                     ASSERT_LE(std::abs(miss), 0x1p-18 * lengthOf(scene_.objects[0].shape, "radius") + 0x1p-23 * t)
@@ -163,6 +164,7 @@ TEST_P(Solids, AreMetWhereTheirFieldIsZero) {
                 }
             }
         EXPECT_GT(met, 100) << int(march);
+        EXPECT_LT(across, met / 4) << int(march) << ": normals that are turned, not seen from outside";
         EXPECT_GT(compared, 1500) << int(march);
         EXPECT_GT(smooth, estimated_ ? -1 : 100) << int(march);
     }

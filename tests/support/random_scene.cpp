@@ -25,7 +25,8 @@ class Choices : public Dice {
 /// Of what there is `form` decides, and where and how large it is `value`: only the first tells in shader source.
 class RandomScene {
   public:
-    explicit RandomScene(std::uint64_t seed) : form_(2 * (seed / kFamily) + 1), value_(2 * seed) {}
+    RandomScene(std::uint64_t seed, Variety variety)
+        : variety_(variety), form_(2 * (seed / kFamily) + 1), value_(2 * seed) {}
 
     Json make() {
         const int materials = form_.whole(1, 5);
@@ -36,6 +37,7 @@ class RandomScene {
         std::vector<Json> shapes;
         addShapes(shapes);
         addSolids(shapes);
+        if (variety_ == Variety::Full) addTransformed(shapes, scene);
         for (const Json& shape : shapes) scene["objects"].push_back(object(shape, materials));
         return scene;
     }
@@ -146,6 +148,45 @@ class RandomScene {
         }
     }
 
+    // --- what is scaled, rotated and placed
+
+    Json angles() { return {value_.number(5, 85), value_.number(-170, 170), value_.number(-170, 170)}; }
+    Json radii(double size) {
+        return {value_.number(0.1, 0.5) * size, value_.number(0.51, 0.8) * size, value_.number(0.81, 1) * size};
+    }
+
+    void addTransformed(std::vector<Json>& shapes, Json& scene) {
+        for (int i = form_.whole(0, 5); i > 0; --i)
+            shapes.push_back({{"ellipsoid", {{"center", point(kReach)}, {"radii", radii(0.9)}, {"rotate", angles()}}}});
+        for (int i = form_.whole(0, 5); i > 0; --i)
+            shapes.push_back({{"box", {{"center", point(kReach)}, {"half_size", radii(0.7)}, {"rotate", angles()}}}});
+        if (form_.chance(0.5)) shapes.push_back(transformed({"group", {{"of", grouped(2)}}}, 1));
+        if (!form_.chance(0.4)) return;
+        scene["definitions"]["defined"] = {{"group", {{"of", grouped(1)}}}};
+        for (int i = form_.whole(1, 3); i > 0; --i)
+            shapes.push_back(transformed({"instance", {{"of", "defined"}}}, 0.6));
+    }
+
+    /// `made`: {key, fields}. Scaled evenly, as all shapes can be.
+    Json transformed(std::pair<Text, Json> made, double size) {
+        made.second["scale"] = value_.number(0.4, 1) * size;
+        made.second["rotate"] = angles();
+        made.second["translate"] = point(kReach);
+        return {{made.first, made.second}};
+    }
+
+    Json grouped(int level) {
+        Json of = Json::array();
+        for (int i = form_.whole(1, 3); i > 0; --i)
+            of.push_back(shape(form_.one({"sphere", "disc", "triangle", "torus", "box", "cylinder", "cone"}), 1, 0.9));
+        if (form_.chance(0.6)) of.push_back({{"mesh", {{"file", "dented.obj"}, {"smooth", form_.chance(0.5)}}}});
+        if (form_.chance(0.5)) // spheres become ellipsoids
+            of.push_back(
+                {{"group", {{"of", {shape("sphere", 0.5, 0.9), shape("sphere", 0.5, 0.5)}}, {"scale", radii(1)}}}});
+        if (level > 1) of.push_back(transformed({"group", {{"of", grouped(level - 1)}}}, 0.7));
+        return of;
+    }
+
     // --- solids
 
     void addSolids(std::vector<Json>& shapes) {
@@ -228,9 +269,7 @@ class RandomScene {
     }
 
     Json object(Json made, int materials) {
-        // A Mandelbulb of glass is dust that rays pass for longer than llvmpipe's loops last: docs/software-gl.md.
-        const bool dust = made.dump().find("mandelbulb") != std::string::npos;
-        if (form_.chance(0.9) && !dust) made["material"] = materialName(form_.whole(0, materials - 1));
+        if (form_.chance(0.9)) made["material"] = materialName(form_.whole(0, materials - 1));
         if (form_.chance(0.15)) made["casts_shadow"] = false;
         if (form_.chance(0.2))
             made["motion"]["orbit"] = {{"cos", point(0.5)}, {"sin", point(0.5)}, {"rate", value_.number(-3, 3)}};
@@ -261,12 +300,45 @@ class RandomScene {
                 {"fov", far > 100 ? 1 : value_.number(25, 100)}};
     }
 
+    Variety variety_;
     Choices form_, value_;
 };
 
 } // namespace
 
-std::string randomScene(std::uint64_t seed) { return RandomScene(seed).make().dump(1); }
+std::string randomScene(std::uint64_t seed, Variety variety) { return RandomScene(seed, variety).make().dump(1); }
+
+std::string randomMesh(std::uint64_t seed) {
+    constexpr int kAround = 8, kRings = 3; // and a pole at either end
+    Dice dice(seed);
+    std::string vertices, faces;
+    const auto add = [&](glm::dvec3 p) {
+        p *= dice.number(0.7, 1);
+        vertices += "v " + std::to_string(p.x) + ' ' + std::to_string(p.y) + ' ' + std::to_string(p.z) + '\n';
+    };
+    const auto face = [&](int a, int b, int c) {
+        faces += "f " + std::to_string(a) + ' ' + std::to_string(b) + ' ' + std::to_string(c) + '\n';
+    };
+    for (int ring = 1; ring <= kRings; ++ring)
+        for (int i = 0; i < kAround; ++i) {
+            const double down = 3.14159265 * ring / (kRings + 1), around = 2 * 3.14159265 * i / kAround;
+            add({std::sin(down) * std::sin(around), std::cos(down), std::sin(down) * std::cos(around)});
+        }
+    add({0, 1, 0});
+    add({0, -1, 0});
+    const int north = kRings * kAround + 1, south = north + 1;
+    for (int i = 0; i < kAround; ++i) {
+        const int next = (i + 1) % kAround;
+        face(north, 1 + i, 1 + next);
+        face(south, north - kAround + next, north - kAround + i);
+        for (int ring = 0; ring + 1 < kRings; ++ring) {
+            const int above = 1 + ring * kAround, below = above + kAround;
+            face(above + i, below + i, below + next);
+            face(above + i, below + next, above + next);
+        }
+    }
+    return vertices + faces;
+}
 
 Settings randomSettings(std::uint64_t seed) {
     Choices choices(seed / kFamily);
@@ -276,6 +348,17 @@ Settings randomSettings(std::uint64_t seed) {
     settings.march = March(choices.whole(int(March::Steps), int(March::Relaxed)));
     settings.time = choices.number(0, 9);
     return settings;
+}
+
+Image noise(const std::string& name, int side) {
+    Image image{side, side, {}};
+    std::uint32_t state = 1;
+    for (const char letter : name) state = 31 * state + std::uint32_t(letter);
+    for (int i = 0; i < 4 * image.width * image.height; ++i) {
+        state = 1664525 * state + 1013904223;
+        image.rgba.push_back(i % 4 == 3 ? 255 : std::uint8_t(state >> 24));
+    }
+    return image;
 }
 
 } // namespace gnomon::test

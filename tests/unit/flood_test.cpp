@@ -58,6 +58,16 @@ TEST(OneCause, OfMaterialsThatAreNoneOrMisspeltIsThatAlone) {
     EXPECT_EQ(problemsOf("{" + objects).size(), 9U) << "nine names that nothing defines";
 }
 
+TEST(OneCause, OfDefinitionsIsThatAlone) {
+    const auto of = [](const std::string& i) { return R"({"instance": {"of": "d)" + i + "\"}}"; };
+    const auto named = [](const std::string& i) { return "\"d" + i + "\": " + sphere("\"casts_shadow\": true"); };
+    const std::string objects = "\"objects\": [" + repeated(300, of) + "]}";
+    EXPECT_EQ(toString(problemsOf("{\"definitions\": {" + repeated(300, named) + "}, " + objects)),
+              "f:1: definitions: 300 entries; use 0 to 256 entries\n");
+    EXPECT_EQ(problemsOf("{\"definitions\": 5, " + objects).size(), 1U);
+    EXPECT_EQ(problemsOf("{\"definition\": {" + repeated(9, named) + "}, " + objects).size(), 1U);
+}
+
 TEST(OneCause, OfANameThatNothingDefinesIsToldOnce) {
     const auto red = [](const std::string&) { return sphere("\"material\": \"rde\""); };
     const Problems problems = problemsOf("{\"materials\": {\"red\": {}}, \"objects\": [" + repeated(3, red) + "]}");

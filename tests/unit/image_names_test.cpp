@@ -74,6 +74,44 @@ TEST_F(ImageNames, AreLookedForUnderTheirOwnEndingOnly) {
     EXPECT_NE(problems[0].what.find("image 'moon.jpg' is missing"), std::string::npos);
 }
 
+TEST_F(ImageNames, OfOtherFormatsAreToldAsThat) {
+    write("sky.exr", 2);
+    Problems problems;
+    EXPECT_EQ(sideOf("sky.exr", problems), 0);
+    ASSERT_EQ(problems.size(), 1U);
+    EXPECT_NE(problems[0].what.find("image 'sky.exr' is of a format that is not read"), std::string::npos);
+    EXPECT_EQ(problems[0].remedy.find("sky.exr.png"), std::string::npos);
+}
+
+TEST_F(ImageNames, OfACubeMapHaveNoEnding) {
+    Scene scene;
+    scene.background.cubemap = "sky.png";
+    Problems problems;
+    EXPECT_FALSE(AssetFolder(folder_ / "assets").readImages(scene, problems));
+    ASSERT_EQ(problems.size(), 6U);
+    EXPECT_NE(problems[0].remedy.find("leave the ending out"), std::string::npos);
+}
+
+TEST_F(ImageNames, OfABackgroundThatIsStretchedAreNoted) {
+    const auto noted = [&](const char* kind, const std::string& name) {
+        std::ofstream(path("scene.json")) << "{\"background\": {\"" << kind << "\": \"" << name
+                                          << R"("}, "objects": [{"sphere": {"center": [0, 0, 0], "radius": 1}}]})";
+        Problems problems, notes;
+        const AssetFolder assets(path("assets"));
+        const auto scene = assets.readScene(path("scene.json"), problems);
+        EXPECT_TRUE(scene && assets.readImages(*scene, problems, &notes)) << toString(problems);
+        return toString(notes);
+    };
+    for (const char* side : {"-px", "-nx", "-py", "-ny", "-pz", "-nz"}) {
+        write(std::string("even") + side + ".png", 4);
+        write(std::string("odd") + side + ".png", side[1] == 'p' ? 4 : 8);
+    }
+    EXPECT_EQ(noted("cubemap", "even"), "");
+    EXPECT_NE(noted("cubemap", "odd").find("is stretched: it has"), std::string::npos);
+    EXPECT_NE(noted("image", "even-px").find("'even-px' is stretched: it has 4 x 4; a background's is twice as wide"),
+              std::string::npos);
+}
+
 // The schema's pattern and the reader agree.
 TEST_F(ImageNames, StayInTheScenesFolder) {
     const std::regex pattern(R"(^(?!\.{0,2}(/|$))(?!.*/\.{0,2}(/|$))(?!.*\.[hH][dD][rR]$)[^\\\x00-\x1f\x7f]+$)");

@@ -139,16 +139,72 @@ TEST(Hdr, KeepsLightBeyondWhite) {
     EXPECT_EQ(half.rgba.size(), 4U);
 }
 
+const std::string kHdrHead = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n";
+
+/// Of 8 x 2 pixels whose red is 10, 11, …, row by row.
+Bytes hdrOf(const std::string& pixels) { return bytesOf(kHdrHead + "-Y 2 +X 8\n" + pixels); }
+
+std::string wholePixels() {
+    std::string pixels;
+    for (char i = 0; i < 16; ++i) pixels += {char(10 + i), 20, 30, '\x80'};
+    return pixels;
+}
+
+/// Rows whose channels are apart: red one by one, the others as a run.
+std::string apartChannels() {
+    std::string rows;
+    for (char row = 0; row < 2; ++row) {
+        rows += std::string("\2\2\0\x08\x08", 5);
+        for (char i = 0; i < 8; ++i) rows += char(10 + 8 * row + i);
+        rows += {'\x88', 20, '\x88', 30, '\x88', '\x80'};
+    }
+    return rows;
+}
+
+TEST(Hdr, ReadsPixelsInEveryCoding) {
+    Problems problems;
+    const auto whole = decodeImage("a.hdr", hdrOf(wholePixels()), problems);
+    const auto apart = decodeImage("a.hdr", hdrOf(apartChannels()), problems);
+    ASSERT_TRUE(whole && apart) << toString(problems);
+    EXPECT_EQ(whole->rgba, apart->rgba);
+    std::string rest;
+    for (int i = 0; i < 7; ++i) rest += {10, 20, 30, '\x80'};
+    const std::string pixel = rest.substr(0, 4);
+    const auto one = decodeImage("a.hdr", hdrOf(pixel + rest + pixel + rest), problems);
+    const auto runs = decodeImage("a.hdr", hdrOf(pixel + "\1\1\1\7" + pixel + "\1\1\1\7"), problems);
+    ASSERT_TRUE(one && runs) << toString(problems);
+    EXPECT_EQ(one->rgba, runs->rgba);
+}
+
+/// Once a file that ended within a row was decoded for ever.
+TEST(Hdr, IsRefusedWhereverItEnds) {
+    for (const std::string& pixels : {wholePixels(), apartChannels()})
+        for (std::size_t size = 0; size < pixels.size(); ++size) {
+            Problems problems;
+            EXPECT_FALSE(decodeImage("a.hdr", hdrOf(pixels.substr(0, size)), problems)) << size;
+            EXPECT_EQ(problems.size(), 1U) << size;
+        }
+}
+
+TEST(Hdr, IsRefusedWhereARunLeavesItsRow) {
+    std::string pixels = apartChannels();
+    pixels[13] = '\x89'; // the run of green
+    Problems problems;
+    EXPECT_FALSE(decodeImage("a.hdr", hdrOf(pixels), problems));
+    EXPECT_FALSE(decodeImage("a.hdr", hdrOf("\1\1\1\2" + wholePixels()), problems));
+    EXPECT_FALSE(decodeImage("a.hdr", hdrOf(wholePixels().substr(0, 4) + "\1\1\1\x08" + wholePixels()), problems));
+    EXPECT_EQ(problems.size(), 3U);
+}
+
 TEST(Hdr, IsMeasuredBeforeItIsDecoded) {
-    const std::string head = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n";
-    const auto header = imageHeader(bytesOf(head + "-Y 20 +X 40\n"));
+    const auto header = imageHeader(bytesOf(kHdrHead + "-Y 20 +X 40\n"));
     ASSERT_TRUE(header);
     EXPECT_EQ(header->width, 40);
     EXPECT_EQ(header->height, 20);
     for (const char* size : {"-Y 0 +X 4\n", "+Y 4 +X 4\n", "-Y 99999999999 +X 4\n", "-Y 4", ""})
-        EXPECT_FALSE(imageHeader(bytesOf(head + size))) << size;
+        EXPECT_FALSE(imageHeader(bytesOf(kHdrHead + size))) << size;
     Problems problems;
-    EXPECT_FALSE(decodeImage("a.hdr", bytesOf(head + "-Y 100000 +X 100000\n"), problems));
+    EXPECT_FALSE(decodeImage("a.hdr", bytesOf(kHdrHead + "-Y 100000 +X 100000\n"), problems));
     EXPECT_EQ(problems.size(), 1U);
 }
 

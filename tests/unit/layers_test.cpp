@@ -1,4 +1,5 @@
 #include "tests/support/scenes.h"
+#include "tracer/image_memory.h"
 #include "tracer/layers.h"
 #include "tracer/plan/texture_set.h"
 
@@ -108,6 +109,18 @@ TEST(Layers, AreHalvedUntilTheyFit) {
     EXPECT_EQ(byBytes.width(0), 16);
     EXPECT_TRUE(repeats(levelOf(byBytes, 1, noise(8, 8), 0), noise(8, 8))) << "small ones stay as they are";
     EXPECT_EQ(layersOf({noise(4, 4)}, false, kRoom, 0).width(0), 1) << "one texel always fits";
+}
+
+TEST(Layers, ComeTheLargestFirst) {
+    const Layers layers = layersOf({noise(8, 8), noise(64, 32), noise(16, 32), noise(5, 5)}, false, kRoom, kPlenty);
+    EXPECT_EQ(layers.largestFirst(), (std::vector{1, 0, 2, 3}));
+}
+
+// All wait at first; a texture takes a third more than its finest level, and its images go when it is made.
+TEST(PeakMemory, IsThatOfTheWorstUpload) {
+    EXPECT_EQ(peakMemory(std::vector<ImageUpload>{{300, 300, 10}}), 710U);
+    EXPECT_EQ(peakMemory(std::vector<ImageUpload>{{300, 300, 0}, {30, 30, 0}}), 730U);
+    EXPECT_EQ(peakMemory(std::vector<ImageUpload>{{30, 30, 0}, {300, 300, 0}}), 740U);
 }
 
 TEST(Painted, TakesTheMasksRedAsAlphaAndWhiteForWhatIsMissing) {

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace gnomon {
@@ -130,12 +131,74 @@ TEST(Mesh, OfTooManyTrianglesIsOneProblem) {
 }
 
 TEST(Mesh, IsReadFromTheScenesFolderOnly) {
-    for (const char* path : {"../a.obj", "/a.obj", "b/../a.obj", "b//a.obj", ".a.obj", "a.obj/", "b\\\\a.obj", ""})
+    for (const char* path : {"../a.obj", "/a.obj", "b/../a.obj", "b//a.obj", "./a.obj", "a.obj/", "b\\\\a.obj"})
         EXPECT_NE(problemsOfObjects(R"({"mesh": {"file": ")" + std::string(path) + "\"}}", kSquare + "f 1 2 3\n")
                       .find("is not a file beside the scene"),
                   std::string::npos)
             << path;
-    EXPECT_EQ(problemsOfObjects(R"({"mesh": {"file": "b c/d-1.2/a.obj"}})", kSquare + "f 1 2 3\n"), "");
+    for (const char* path : {"b c/d-1.2/a.obj", "cube (1).obj", "h\u00fctte+dach.obj", ".a.obj"})
+        EXPECT_EQ(problemsOfObjects(R"({"mesh": {"file": ")" + std::string(path) + "\"}}", kSquare + "f 1 2 3\n"), "")
+            << path;
+}
+
+/// The lines of problems.
+std::size_t linesOf(const std::string& text) { return std::size_t(std::count(text.begin(), text.end(), '\n')); }
+
+TEST(Mesh, IsReadOnceHoweverOftenItIsNamed) {
+    int reads = 0;
+    const SceneFiles files = [&](const std::string&, Problems&) {
+        ++reads;
+        return std::optional(kSquare + "f 1 2 3\n");
+    };
+    Problems problems;
+    const auto scene =
+        readScene("{\"objects\": [" + kMesh + "," + kMesh + "," + kFlatMesh + "]}", "f", problems, files);
+    ASSERT_TRUE(scene) << toString(problems);
+    EXPECT_EQ(scene->objects.size(), 3U);
+    EXPECT_EQ(scene->objects[0].shape.kind, scene->objects[1].shape.kind);
+    EXPECT_EQ(scene->objects[2].shape.kind, ShapeKind::Triangle);
+    EXPECT_EQ(reads, 2) << "smooth and flat";
+    EXPECT_EQ(linesOf(problemsOfObjects(kMesh + "," + kMesh, "f 1 2 3\n")), 1U);
+}
+
+TEST(Mesh, IsNotReadWhereTheSceneIsFull) {
+    std::string faces = kSquare;
+    for (int i = 0; i < kMostObjects; ++i) faces += "f 1 2 3\n";
+    int reads = 0;
+    const SceneFiles files = [&](const std::string&, Problems&) {
+        ++reads;
+        return std::optional(faces);
+    };
+    Problems problems;
+    const std::string text =
+        "{\"objects\": [" + kMesh + R"(, {"mesh": {"file": "b.obj"}}, {"mesh": {"file": "c.obj"}}]})";
+    EXPECT_FALSE(readScene(text, "f", problems, files));
+    EXPECT_EQ(problems.size(), 1U) << toString(problems);
+    EXPECT_EQ(reads, 2);
+}
+
+TEST(Mesh, IsReadAsAnySystemWritesIt) {
+    const std::string file = kSquare + "f 1 2 \\\n3\n";
+    const auto withEnds = [&](const char* end) {
+        std::string text;
+        for (const char c : file) text += c == '\n' ? end : std::string(1, c);
+        return text;
+    };
+    for (const char* end : {"\n", "\r\n", "\r"}) EXPECT_EQ(objectsOf(kMesh, withEnds(end)).size(), 1U) << int(*end);
+    EXPECT_EQ(objectsOf(kMesh, "\xef\xbb\xbf" + file).size(), 1U) << "a byte order mark";
+    std::string wide;
+    for (const char c : file) wide += std::string(1, c) + std::string(1, '\0');
+    EXPECT_NE(problemsOfObjects(kMesh, "\xff\xfe" + wide).find("save it as plain text"), std::string::npos);
+}
+
+TEST(Mesh, ThatCannotBeReadIsNamed) {
+    Problems problems;
+    const SceneFiles none = [](const std::string&, Problems& found) {
+        found.push_back({"", 0, {}, "is a folder", "name a file"});
+        return std::optional<std::string>();
+    };
+    EXPECT_FALSE(readScene("{\"objects\": [" + kMesh + "]}", "f", problems, none));
+    EXPECT_EQ(toString(problems), "f:1: objects[0].mesh.file: \"a.obj\": is a folder; name a file\n");
 }
 
 TEST(Mesh, ThatIsMissingIsAProblem) {

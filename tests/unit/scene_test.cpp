@@ -99,25 +99,34 @@ TEST(ReadScene, RefusesBrokenUtf8) {
 }
 
 TEST(ReadScene, RefusesAFileThatIsTooLarge) {
-    EXPECT_EQ(problemsOf(std::string((4 << 20) + 1, ' ')),
-              "f: the file has 4194305 bytes; at most 4194304 are read; use a smaller scene\n");
+    EXPECT_EQ(problemsOf(std::string((16 << 20) + 1, ' ')),
+              "f: the file has 16777217 bytes; at most 16777216 are read; use a smaller scene\n");
 }
 
 TEST(ReadScene, SurvivesAFileOfBrackets) {
-    EXPECT_EQ(problemsOf(std::string(4 << 20, '[')),
+    EXPECT_EQ(problemsOf(std::string(16 << 20, '[')),
               "f:1: lists and objects are nested deeper than 64 levels; remove brackets that are too many\n");
 }
 
 TEST(ReadScene, RefusesTooManyValues) {
     std::string text = "[";
-    for (int i = 0; i < 1000001; ++i) text += "0,";
-    EXPECT_EQ(problemsOf(text + "0]"), "f:1: the file holds more than 1000000 values; use a smaller scene\n");
+    for (int i = 0; i < 2000001; ++i) text += "0,";
+    EXPECT_EQ(problemsOf(text + "0]"), "f:1: the file holds more than 2000000 values; use a smaller scene\n");
 }
 
 TEST(ReadScene, RefusesTooManyObjects) {
     std::string text = "{\"objects\": [";
     for (int i = 0; i < 80001; ++i) text += std::string(i ? "," : "") + R"({"sphere":{"center":[0,0,0],"radius":1}})";
     EXPECT_EQ(problemsOf(text + "]}"), "f:1: objects: 80001 entries; use 1 to 80000 entries\n");
+}
+
+// As a program writes them: 5.6 MiB.
+TEST(ReadScene, TakesAsManyObjectsAsItAdmits) {
+    std::string text = "{\"objects\": [";
+    for (int i = 0; i < 80000; ++i)
+        text += std::string(i ? "," : "") +
+                R"({"sphere": {"center": [-0.4330127, 0.5773503, 0.8164966], "radius": 0.0123457}})";
+    EXPECT_EQ(problemsOf(text + "]}"), "");
 }
 
 TEST(ReadScene, StaysQuickWhereEverythingIsWrong) {

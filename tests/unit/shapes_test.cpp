@@ -2,6 +2,7 @@
 #include "tracer/scene/shapes.h"
 
 #include "tracer/plan/shape_texels.h"
+#include "tracer/scene/rotation.h"
 #include "tracer/shader/library.h"
 
 #include <gtest/gtest.h>
@@ -58,7 +59,8 @@ TEST(ShapeTexels, HoldEveryValueOnceAndNoTexelOfNone) {
             for (int c = 0; c < 4; ++c)
                 if (texels[i][c] != 0) packed.insert(texels[i][c]);
         }
-        EXPECT_EQ(packed, values) << row.key;
+        const bool rotates = row.kind == ShapeKind::RotatedBox || row.kind == ShapeKind::Ellipsoid; // see below
+        EXPECT_TRUE(rotates || packed == values) << row.key;
     }
 }
 
@@ -72,6 +74,18 @@ TEST(ShapeTexels, HoldVectorsFirstAndScalarsBesideThem) {
     EXPECT_EQ(bulb[1], glm::dvec4(8, 5, 0, 0));
     EXPECT_EQ(texelsOf(ShapeKind::Mandelbulb), 2);
     EXPECT_EQ(texelsOf(ShapeKind::Triangle), 3);
+}
+
+TEST(ShapeTexels, HoldTheAxesOfARotationToHalfARounding) {
+    for (const ShapeKind kind : {ShapeKind::RotatedBox, ShapeKind::Ellipsoid}) {
+        const glm::dvec3 rotate(0.1f, -0.45f, 0.7f);
+        std::vector<glm::vec4> texels;
+        appendShape(makeShape(kind, {{1, 2, 3}, {4, 5, 6}, rotate}), texels);
+        ASSERT_EQ(texels.size(), 5u);
+        EXPECT_EQ(glm::vec3(texels[1]), glm::vec3(4, 5, 6));
+        for (int i = 0; i < 3; ++i)
+            EXPECT_LE(glm::distance(glm::dvec3(texels[std::size_t(2 + i)]), axesOf(rotate)[i]), 0x1p-24) << i;
+    }
 }
 
 TEST(GlslTypes, AreTheKeysInPascalCase) {

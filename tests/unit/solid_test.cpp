@@ -119,10 +119,18 @@ TEST(Solid, BadOnesAreRefusedWithAReason) {
                   .find("power: 1.5 is outside the limits; use a number from 2 to 16"),
               std::string::npos);
     std::string many = R"("union": [)";
-    for (int i = 0; i < 64; ++i)
+    for (int i = 0; i < 32; ++i)
         many += R"({"offset": {"by": 0.1, "of": {"sphere": {"center": [0, 0, 0], "radius": 1}}}},)";
     many.back() = ']';
-    EXPECT_NE(problemsOf(many).find("a solid of 129 parts"), std::string::npos);
+    EXPECT_NE(problemsOf(many).find("a solid of 65 parts, operations counted"), std::string::npos);
+    const auto spheres = [](int count) {
+        std::string all = R"("union": [)";
+        for (int i = 0; i < count; ++i) all += R"({"sphere": {"center": [0, 0, 0], "radius": 1}},)";
+        all.back() = ']';
+        return all;
+    };
+    EXPECT_EQ(sceneOf(spheres(63)).objects.size(), 1U);
+    EXPECT_NE(problemsOf(spheres(64)).find("64 entries; use 1 to 63 entries"), std::string::npos);
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 import { strict as assert } from 'node:assert';
 import { test } from 'node:test';
 import { keyName } from '../../web/page/keyboard.js';
+import { unturned } from '../../web/page/load.js';
 import { keysOf } from '../../web/page/stick.js';
 import { parseSize } from '../../web/page/canvas.js';
 import { readQuery, writeQuery } from '../../web/page/url.js';
@@ -49,4 +50,13 @@ test('the query is read as scene, size and settings', () => {
     ['size', '10x20'],
     ['depth', '5'],
   ]);
+});
+
+test("a JPEG's metadata becomes a comment before a browser sees it, and nothing else changes", () => {
+  const frame = [0xff, 0xc0, 0, 4, 1, 2];
+  const scan = [0xff, 0xda, 0, 2, 0xff, 0xe1, 0, 9]; // what follows is no segment
+  const jpeg = (exif) => Uint8Array.from([0xff, 0xd8, 0xff, exif, 0, 5, 7, 8, 9, ...frame, ...scan]);
+  assert.deepEqual(unturned(jpeg(0xe1)), jpeg(0xfe));
+  assert.deepEqual(unturned(jpeg(0xe0)), jpeg(0xe0));
+  assert.deepEqual(unturned(Uint8Array.from([0xff, 0xd8, 0xff])), Uint8Array.from([0xff, 0xd8, 0xff])); // it was cut
 });

@@ -109,9 +109,12 @@ describe('scripts/serve', () => {
     assert.deepEqual(await piece('bytes=-3'), [206, 'bytes 7-9/10', '789']);
     assert.deepEqual(await piece('bytes=8-99'), [206, 'bytes 8-9/10', '89']);
     assert.deepEqual(await piece('bytes=10-'), [416, 'bytes */10', '']);
-    for (const whole of ['bytes=0-1,3-4', 'lines=1-2', 'bytes=-', 'bytes=x-'])
+    const long = `bytes=${'9'.repeat(5000)}-`;
+    for (const whole of ['bytes=0-1,3-4', 'lines=1-2', 'bytes=-', 'bytes=x-', 'bytes=4-2', long])
       assert.deepEqual(await piece(whole), [200, null, '0123456789']);
     assert.deepEqual(await piece('bytes=2-4', { 'If-Range': '"another"' }), [200, null, '0123456789']);
+    const head = await fetch(`${url}/long.png`, { method: 'HEAD', headers: { Range: 'bytes=2-4' } });
+    assert.equal(head.status, 200, 'pieces are of GET only');
   });
 
   test('compresses what gets smaller, for those who take it', async () => {

@@ -21,6 +21,11 @@ constexpr GLenum kCompletionStatus = 0x91B1; // GL_COMPLETION_STATUS_KHR, the sa
 
 GLint formatOf(Texels texels) { return texels == Texels::Srgb ? GL_SRGB8_ALPHA8 : GL_RGBA8; }
 
+Image noLargerThan(int side, Image image, Texels texels) {
+    while (std::max(image.width, image.height) > side) image = halved(image, texels == Texels::Srgb);
+    return image;
+}
+
 void uploadLevels(GLenum target, Image image, Texels texels) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     for (int level = 0;; ++level) {
@@ -91,7 +96,7 @@ Texture makeImages(const Layers& layers, const ImageSource& imageOf, Texels texe
     for (int level = 0; level < layers.levels(); ++level)
         glTexImage3D(GL_TEXTURE_2D_ARRAY, level, formatOf(texels), layers.width(level), layers.height(level),
                      layers.count(), 0, GL_RGBA, GL_UNSIGNED_BYTE, nullptr);
-    for (int layer = 0; layer < layers.count(); ++layer)
+    for (const int layer : layers.largestFirst()) // so the others are made fit in memory that it has left
         layers.forEachLevel(layer, imageOf(layer), [&](int level, const Image& image) {
             glTexSubImage3D(GL_TEXTURE_2D_ARRAY, level, 0, 0, layer, image.width, image.height, 1, GL_RGBA,
                             GL_UNSIGNED_BYTE, image.rgba.data());
@@ -99,17 +104,17 @@ Texture makeImages(const Layers& layers, const ImageSource& imageOf, Texels texe
     return texture;
 }
 
-Texture makeCubemap(const ImageSource& faceOf, Texels texels) {
+Texture makeCubemap(const ImageSource& faceOf, Texels texels, int side) {
     Texture texture = makeTexture(GL_TEXTURE_CUBE_MAP, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE);
-    for (int i = 0; i < 6; ++i) uploadLevels(GL_TEXTURE_CUBE_MAP_POSITIVE_X + GLenum(i), faceOf(i), texels);
+    for (int i = 0; i < 6; ++i)
+        uploadLevels(GL_TEXTURE_CUBE_MAP_POSITIVE_X + GLenum(i), noLargerThan(side, faceOf(i), texels), texels);
     return texture;
 }
 
 Texture makePanorama(Image image, Texels texels, int side) {
     Texture texture = makeTexture(GL_TEXTURE_2D, GL_LINEAR_MIPMAP_LINEAR, GL_LINEAR, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_REPEAT);
-    while (std::max(image.width, image.height) > side) image = halved(image, texels == Texels::Srgb);
-    uploadLevels(GL_TEXTURE_2D, std::move(image), texels);
+    uploadLevels(GL_TEXTURE_2D, noLargerThan(side, std::move(image), texels), texels);
     return texture;
 }
 

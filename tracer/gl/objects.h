@@ -75,13 +75,14 @@ Renderbuffer makeStencil(int width, int height);
 enum class Texels { Display, Srgb };
 
 /// Mip levels are averaged here, not by the driver, so that every host sees the same ones.
-/// Images are asked for one after another, each once, and gone before the next.
+/// Images are asked for one after another, each once, the largest first, and gone before the next.
 using ImageSource = std::function<Image(int)>;
 /// An array texture that repeats along both sides, of the images whose layers these are.
 Texture makeImages(const Layers&, const ImageSource&, Texels);
+// No wider or higher than `side`: what is larger is halved.
 /// Six faces in GL's order +x −x +y −y +z −z, all of one size.
-Texture makeCubemap(const ImageSource&, Texels);
-/// All around: repeats along its rows. No wider or higher than `side`: what is larger is halved.
+Texture makeCubemap(const ImageSource&, Texels, int side);
+/// All around: repeats along its rows.
 Texture makePanorama(Image, Texels, int side);
 /// RGBA32F texels in rows of `width`; read with texelFetch.
 Texture makeDataTexture(int width, int height);

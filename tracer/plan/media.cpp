@@ -16,6 +16,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 struct Body {
     int object = 0, material = 0; ///< the first object of a skin
     bool skin = false;
+    bool clear = true;             ///< a dielectric; else it reflects as what lies about it has it
     double priority = 0, size = 0; ///< size: of the box about it at rest
     std::optional<Extent> swept;   ///< all that it ever touches; none for what has no end
 };
@@ -35,9 +36,9 @@ double sizeOfBody(const Shape& shape) {
     return extent ? glm::distance(extent->low, extent->high) * (1 + 1e-6 * fills) : kInfinity;
 }
 
-/// With room for rounding: surfaces that touch may be met in either order.
-bool meet(const Extent& a, const Extent& b) {
-    const glm::dvec3 room = 1e-5 * (glm::max(glm::abs(a.low), glm::abs(a.high)) + (a.high - a.low) + (b.high - b.low));
+/// `slack` is the room for rounding.
+bool meet(const Extent& a, const Extent& b, double slack) {
+    const glm::dvec3 room = slack * (glm::max(glm::abs(a.low), glm::abs(a.high)) + (a.high - a.low) + (b.high - b.low));
     if (glm::any(glm::greaterThan(a.low, b.high + room)) || glm::any(glm::greaterThan(b.low, a.high + room)))
         return false;
     return true;
@@ -50,26 +51,29 @@ double ballRadius(const Body& body, const Scene& scene) {
     return 0.5 * glm::distance(body.swept->low, body.swept->high);
 }
 
-bool reachesBehind(const Extent& box, const Shape& plane) {
+bool reachesBehind(const Extent& box, const Shape& plane, double slack) {
     const glm::dvec3 normal = pointOf(plane, "normal"), middle = 0.5 * (box.low + box.high) - pointOf(plane, "point");
     const double reach = glm::dot(glm::abs(normal), 0.5 * (box.high - box.low));
-    return glm::dot(normal, middle) <= (1 + 1e-5) * reach;
+    return glm::dot(normal, middle) <= (1 + slack) * reach;
 }
 
-/// Whether two bodies may ever have a point in common.
+/// Whether two bodies may ever have a point in common. Surfaces of dielectrics that touch may be met in either order;
+/// what only stands on another thing is not inside of it.
 bool mayMeet(const Body& a, const Body& b, const Scene& scene) {
+    const double slack = a.clear && b.clear ? 1e-5 : -1e-5;
     if (!a.swept && !b.swept) return true;
     if (!a.swept || !b.swept) {
         const Object& endless = scene.objects[std::size_t((a.swept ? b : a).object)];
         const Extent& box = a.swept ? *a.swept : *b.swept;
-        return endless.shape.kind != ShapeKind::Plane || endless.motion || reachesBehind(box, endless.shape);
+        return endless.shape.kind != ShapeKind::Plane || endless.motion || reachesBehind(box, endless.shape, slack);
     }
-    if (!meet(*a.swept, *b.swept)) return false;
+    if (!meet(*a.swept, *b.swept, slack)) return false;
     const double reach = ballRadius(a, scene) + ballRadius(b, scene);
     return glm::distance(a.swept->low + a.swept->high, b.swept->low + b.swept->high) <= 2 * (1 + 1e-5) * reach;
 }
 
-/// By a sweep along x: few boxes of a scene lie one behind the other there.
+/// Whether a dielectric meets another one, or what it may be around. By a sweep along x: few boxes of a scene lie one
+/// behind the other there.
 bool anyMeet(std::vector<Body> bodies, const Scene& scene) {
     const auto low = [](const Body& body) { return body.swept ? body.swept->low.x : -kInfinity; };
     const auto high = [](const Body& body) { return body.swept ? body.swept->high.x : kInfinity; };
@@ -77,9 +81,25 @@ bool anyMeet(std::vector<Body> bodies, const Scene& scene) {
     for (std::size_t i = 0; i < bodies.size(); ++i)
         for (std::size_t k = i + 1; k < bodies.size(); ++k) {
             if (low(bodies[k]) > high(bodies[i]) + 1e-5 * (std::abs(high(bodies[i])) + 1)) break;
-            if (mayMeet(bodies[i], bodies[k], scene)) return true;
+            if ((bodies[i].clear || bodies[k].clear) && mayMeet(bodies[i], bodies[k], scene)) return true;
         }
     return false;
+}
+
+/// Conductors and coats, whose reflectance depends on the medium about them.
+std::vector<Body> reflectorsOf(const Scene& scene) {
+    std::vector<Body> reflectors;
+    if (scene.fresnel != Fresnel::Exact) return reflectors;
+    const auto outermost = outermostShapes(scene);
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+        const Object& object = scene.objects[i];
+        const auto& optics = scene.materials[std::size_t(object.material)].optics;
+        if (!std::holds_alternative<Conductor>(optics) && !std::holds_alternative<Coat>(optics)) continue;
+        Body body{.object = int(i), .clear = false, .swept = extentOf(outermost[0][i])};
+        if (body.swept) body.swept = hull(*body.swept, *extentOf(outermost[1][i]));
+        reflectors.push_back(body);
+    }
+    return reflectors;
 }
 
 /// All of a scene, those of a skin as one.
@@ -94,6 +114,7 @@ std::vector<Body> bodiesOf(const Scene& scene) {
         Body body{int(i),
                   object.material,
                   !boundsBody(object.shape.kind),
+                  true,
                   dielectric->priority,
                   sizeOfBody(object.shape),
                   extentOf(outermost[0][i])};
@@ -117,7 +138,11 @@ std::vector<Body> bodiesOf(const Scene& scene) {
 Media mediaOf(const Scene& scene) {
     Media media;
     std::vector<Body> bodies = bodiesOf(scene);
-    media.tracked = anyMeet(bodies, scene);
+    if (!bodies.empty()) {
+        std::vector<Body> all = reflectorsOf(scene);
+        all.insert(all.end(), bodies.begin(), bodies.end());
+        media.tracked = anyMeet(std::move(all), scene);
+    }
     // From the least to the most important; of equals the first of the file comes last.
     std::sort(bodies.begin(), bodies.end(), [](const Body& a, const Body& b) {
         if (a.priority != b.priority) return a.priority < b.priority;

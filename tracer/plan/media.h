@@ -20,8 +20,8 @@ namespace gnomon {
 struct Media {
     std::vector<int> ranks;     ///< of each object, from 1 up; 0: it is no dielectric; negative: skin of that rank
     std::vector<int> materials; ///< of each rank; [0] is not used, it stands for air
-    bool tracked = false;       ///< rays have to know what they are inside of: bodies may overlap or contain others, a
-                                ///< medium absorbs, or is thinner than air
+    bool tracked = false;       ///< rays have to know what they are inside of: bodies may overlap or contain others or
+                                ///< what reflects by its index, a medium absorbs, or is thinner than air
     bool absorbing = false;
 };
 

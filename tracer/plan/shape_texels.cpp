@@ -1,5 +1,7 @@
 #include "tracer/plan/shape_texels.h"
 
+#include "tracer/scene/rotation.h"
+
 #include <cctype>
 
 namespace gnomon {
@@ -9,14 +11,18 @@ namespace {
 struct Packing {
     std::array<int, kMaxShapeValues> component{}; ///< of value i: 4 * texel + component
     int values = 0, texels = 0;
+    int rotation = -1; ///< the first of the three texels of its axes; -1: it has none
 };
 
 Packing packingOf(const FieldList& fields) {
     Packing packing;
     packing.values = fields.valueCount();
-    for (const ShapeField& field : fields)
+    for (const ShapeField& field : fields) {
+        if (field.type == FieldType::Rotation) packing.rotation = packing.texels;
         for (int v = 0; v < vectorCount(field.type); ++v, ++packing.texels)
             for (int i = 0; i < 3; ++i) packing.component[std::size_t(field.at + 3 * v + i)] = 4 * packing.texels + i;
+        if (field.type == FieldType::Rotation) packing.texels += 2;
+    }
     const int end = 4 * packing.texels;
     int beside = 3, after = end; // the next free component beside a vector, and after all vectors
     for (const ShapeField& field : fields) {
@@ -57,6 +63,11 @@ ShapeTexels packedShape(const Shape& shape) {
     ShapeTexels texels{};
     for (std::size_t i = 0; i < std::size_t(to.values); ++i)
         texels[std::size_t(to.component[i] / 4)][to.component[i] % 4] = shape.values[i];
+    if (to.rotation < 0) return texels;
+    // Rounded once each, where the shader would round its way from three numbers to nine. Those of float32 are meant.
+    const glm::dvec4 told = texels[std::size_t(to.rotation)];
+    const glm::dmat3 axes = axesOf({inFloat(told.x), inFloat(told.y), inFloat(told.z)});
+    for (int i = 0; i < 3; ++i) texels[std::size_t(to.rotation + i)] = glm::dvec4(axes[i], 0);
     return texels;
 }
 

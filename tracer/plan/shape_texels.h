@@ -1,6 +1,7 @@
 /// The geometry of a shape as the texels that shaders/primitive/KEY.glsl reads. Where a field lies follows from the
-/// shape table: each vector takes a texel, scalars the fourth components of these in turn, and what is left over
-/// further texels. GLSL calls a shape by its key: large_sphere is LargeSphere.
+/// shape table: each vector takes a texel, a rotation three for the axes that it comes to, scalars the fourth
+/// components of these in turn, and what is left over further texels. GLSL calls a shape by its key: large_sphere is
+/// LargeSphere.
 #pragma once
 
 #include "tracer/scene/shapes.h"
@@ -13,8 +14,8 @@
 
 namespace gnomon {
 
-/// Most texels that the geometry of one shape takes, however many of its values make vectors.
-inline constexpr int kMaxShapeTexels = kMaxShapeValues / 3;
+/// Most texels that the geometry of one shape takes, however many of its values make vectors; two more of a rotation.
+inline constexpr int kMaxShapeTexels = kMaxShapeValues / 3 + 2;
 using ShapeTexels = std::array<glm::dvec4, kMaxShapeTexels>;
 
 /// struct TYPE, loadTYPE, intersectTYPE, surfaceTYPE in GLSL.

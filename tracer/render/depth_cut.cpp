@@ -11,41 +11,54 @@ namespace {
 constexpr int kWidth = 96, kMostHeight = 96;
 constexpr int kMostDepth = 8;
 
+/// Of what a screen shows, in a pixel's worst channel, over all pixels.
+double meanDifference(const FloatImage& a, const FloatImage& b) {
+    double sum = 0;
+    for (std::size_t i = 0; i + 3 < a.pixels.size(); i += 4) {
+        float worst = 0;
+        for (std::size_t c = i; c < i + 3; ++c)
+            worst = std::max(worst, std::abs(std::min(a.pixels[c], 1.0f) - std::min(b.pixels[c], 1.0f)));
+        sum += worst;
+    }
+    return 4 * sum / double(std::max<std::size_t>(a.pixels.size(), 1));
+}
+
 } // namespace
 
 std::string messageOf(const DepthCut& cut) {
-    if (cut.part <= DepthCut::kMost) return {};
+    if (cut.error <= DepthCut::kMost) return {};
     const auto percent = [](double part) { return std::to_string(std::lround(100 * part)) + " %"; };
-    return "depth " + std::to_string(cut.depth) + " cuts rays that carry " +
-           percent(std::max(cut.part, 2 * DepthCut::kMost)) + " of the picture's light; " +
-           (cut.enough > 0 ? "depth " + std::to_string(cut.enough) + " leaves less than " + percent(DepthCut::kMost)
-                           : "the largest depth, " + std::to_string(kMostDepth) + ", would not do either");
+    return "depth " + std::to_string(cut.depth) + " leaves colours " +
+           percent(std::max(cut.error, 2 * DepthCut::kMost)) + " off those of depth " + std::to_string(kMostDepth) +
+           ", the mean over the picture; depth " + std::to_string(cut.enough) + " leaves less than " +
+           percent(DepthCut::kMost);
 }
 
 DepthCut DepthProbe::measure(const Drawing& drawing, View view, Frame& frame) {
     const Plan& plan = drawing.trace.plan();
-    DepthCut cut{drawing.settings.depth};
+    DepthCut cut{drawing.settings.depth, 0, drawing.settings.depth};
     if (!plan.scene.passesOn || plan.scene.output != Aov::Color || !plan.target.floatTargets) return cut;
+    if (cut.depth == kMostDepth) return cut;
     view.height = std::clamp(kWidth * view.height / std::max(view.width, 1), 1, kMostHeight);
     view.width = kWidth;
-    cut.part = partAt(cut.depth, drawing, view, frame);
-    for (int depth = cut.depth + 1; depth <= kMostDepth && cut.part > DepthCut::kMost && cut.enough == 0; ++depth)
-        if (partAt(depth, drawing, view, frame) <= DepthCut::kMost) cut.enough = depth;
+    const FloatImage deepest = pictureAt(kMostDepth, drawing, view, frame);
+    const auto errorAt = [&](int depth) { return meanDifference(pictureAt(depth, drawing, view, frame), deepest); };
+    cut.error = errorAt(cut.depth);
+    for (double error = cut.error; error > DepthCut::kMost; error = errorAt(cut.enough))
+        if (++cut.enough == kMostDepth) break;
     return cut;
 }
 
-double DepthProbe::partAt(int depth, const Drawing& drawing, const View& view, Frame& frame) {
+FloatImage DepthProbe::pictureAt(int depth, const Drawing& drawing, const View& view, Frame& frame) {
     Settings settings = drawing.settings;
     settings.depth = depth;
     settings.samples = 1;
-    if (!trace_.begin(drawing, view)) return 0;
+    if (!trace_.begin(drawing, view)) return {};
     trace_.step(drawing, settings, frame);
     glBindFramebuffer(GL_FRAMEBUFFER, trace_.picture().framebuffer.get());
-    const FloatImage image = gl::readTopDown(view.width, view.height, 4);
+    FloatImage image = gl::readTopDown(view.width, view.height, 4);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    double sum = 0;
-    for (std::size_t i = 3; i < image.pixels.size(); i += 4) sum += 1 - double(image.pixels[i]);
-    return sum / (double(view.width) * view.height);
+    return image;
 }
 
 } // namespace gnomon

@@ -1,7 +1,8 @@
-/// How much light the largest depth keeps from a picture: rays that meet a mirror or glass there carry what they should
-/// have shown.
+/// How far the picture is from that of the largest depth: rays that meet a mirror or glass at their last surface do not
+/// carry what they should have shown.
 #pragma once
 
+#include "tracer/image.h"
 #include "tracer/render/pass/trace_pass.h"
 
 #include <string>
@@ -11,21 +12,21 @@ namespace gnomon {
 struct DepthCut {
     static constexpr double kMost = 0.01; ///< that need not be told
     int depth = 0;                        ///< of the settings
-    double part = 0;                      ///< of the picture's light, at that depth
-    int enough = 0;                       ///< the least depth that leaves at most kMost, 0 where none does
+    double error = 0;                     ///< mean of the pixels' worst channels, 1 between black and white
+    int enough = 0;                       ///< the least depth from there on whose error is at most kMost
 };
 
 /// One line; empty where so little is cut that it need not be told.
 std::string messageOf(const DepthCut&);
 
-/// Measures it on a picture that is small enough to cost nothing: the trace pass leaves it in alpha.
+/// Measures it on pictures that are small enough to cost nothing.
 class DepthProbe {
   public:
     /// Nothing where the scene ends such rays by itself, the output is no colour, or the GL has no float targets.
     DepthCut measure(const Drawing&, View, Frame&);
 
   private:
-    double partAt(int depth, const Drawing&, const View&, Frame&);
+    FloatImage pictureAt(int depth, const Drawing&, const View&, Frame&);
 
     TracePass trace_;
 };

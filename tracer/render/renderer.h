@@ -72,8 +72,8 @@ class Renderer {
     FloatImage readOutput(const View&, Problems&);
     /// Draws what a window would show, and reads it back.
     Image readPicture(const View&, Problems&);
-    /// One line where the largest depth cuts more than 1 % of the picture's light: by how much, and which depth would
-    /// do. Else empty.
+    /// One line where the largest depth leaves colours more than 1 % off, the mean over the picture: by how much, and
+    /// which depth would do. Else empty.
     std::string depthCut(const View&);
 
     ProgramStats stats() const;        ///< of the programs that trace

@@ -32,13 +32,27 @@ class SceneImages {
     std::optional<Tiles> bind(Pictures&, Problems&);
 
   private:
-    gl::Texture upload(const std::vector<glm::ivec2>& sizes, const gl::ImageSource&, gl::Texels,
+    struct LayerSizes {
+        std::vector<glm::ivec2> paints, normals; ///< of the images alone
+    };
+
+    /// That the GL may be given.
+    struct Most {
+        std::size_t paintBytes, normalBytes; ///< of the finest levels
+        int skySide;
+    };
+
+    LayerSizes layerSizes(const Pictures&) const;
+    std::size_t peakMemory(const Pictures&, const LayerSizes&) const;
+    Most most(const Pictures&, Problems&) const;
+    gl::Texture upload(const std::vector<glm::ivec2>& sizes, const gl::ImageSource&, gl::Texels, std::size_t bytes,
                        std::vector<glm::vec2>& tiles, Problems&) const;
-    Tiles uploadLayers(Pictures&, Problems&);
-    void uploadCubemap(Pictures&);
-    void uploadPanorama(Pictures&, Problems&);
+    Tiles uploadLayers(Pictures&, const Most&, Problems&);
+    void uploadCubemap(Pictures&, int side, Problems&);
+    void uploadPanorama(Pictures&, int side, Problems&);
     Image taken(Pictures&, const std::string& name, const Image& standIn);
-    void tellReduced(Problems&) const;
+    void tellTooWide(glm::ivec2 size, Problems&) const;
+    void tellReduced(const std::string& why, Problems&) const;
     gl::Texels coding() const;
 
     PreparedScenePtr prepared_;

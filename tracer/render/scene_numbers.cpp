@@ -12,6 +12,13 @@ void SceneNumbers::upload(std::span<const glm::vec4> texels, bool block) {
         uploadTexture(texels);
 }
 
+void SceneNumbers::bind() {
+    if (buffer_) glBindBufferBase(GL_UNIFORM_BUFFER, kSceneBinding, buffer_.get());
+    if (!texture_) return;
+    glActiveTexture(GL_TEXTURE0 + kDataUnit);
+    glBindTexture(GL_TEXTURE_2D, texture_.get());
+}
+
 void SceneNumbers::uploadBlock(std::span<const glm::vec4> texels) {
     if (!buffer_) buffer_ = gl::makeUniformBuffer();
     glBindBuffer(GL_UNIFORM_BUFFER, buffer_.get());

@@ -13,6 +13,8 @@ class SceneNumbers {
   public:
     /// Brings them to where programs with the data block, or without, read them, and binds them.
     void upload(std::span<const glm::vec4>, bool block);
+    /// Once more, where others have been bound since.
+    void bind();
 
   private:
     void uploadBlock(std::span<const glm::vec4>);

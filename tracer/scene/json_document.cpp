@@ -23,10 +23,10 @@ class CountingIterator {
     using pointer = const char*;
     using reference = const char&;
 
-    CountingIterator(const char* place, std::size_t* taken) : place_(place), taken_(taken) {}
-    reference operator*() const { return *place_; }
+    CountingIterator(const char* next, std::size_t* taken) : next_(next), taken_(taken) {}
+    reference operator*() const { return *next_; }
     CountingIterator& operator++() {
-        ++place_;
+        ++next_;
         ++*taken_;
         return *this;
     }
@@ -35,11 +35,11 @@ class CountingIterator {
         ++*this;
         return before;
     }
-    bool operator==(const CountingIterator& other) const { return place_ == other.place_; }
-    bool operator!=(const CountingIterator& other) const { return place_ != other.place_; }
+    bool operator==(const CountingIterator& other) const { return next_ == other.next_; }
+    bool operator!=(const CountingIterator& other) const { return next_ != other.next_; }
 
   private:
-    const char* place_;
+    const char* next_;
     std::size_t* taken_;
 };
 
@@ -78,12 +78,12 @@ bool belongsToWord(char c) {
     return std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '+' || c == '-' || c == '_';
 }
 
-/// The whole word or string around or just before `place`, or the single character there.
-std::string_view wordAt(std::string_view text, std::size_t place) {
-    if (place > 0 && !belongsToWord(text[place]) && belongsToWord(text[place - 1])) --place;
-    std::size_t begin = place, end = place + 1;
-    while (belongsToWord(text[place]) && begin > 0 && belongsToWord(text[begin - 1])) --begin;
-    while (belongsToWord(text[place]) && end < text.size() && belongsToWord(text[end])) ++end;
+/// The whole word or string around or just before `offset`, or the single character there.
+std::string_view wordAt(std::string_view text, std::size_t offset) {
+    if (offset > 0 && !belongsToWord(text[offset]) && belongsToWord(text[offset - 1])) --offset;
+    std::size_t begin = offset, end = offset + 1;
+    while (belongsToWord(text[offset]) && begin > 0 && belongsToWord(text[begin - 1])) --begin;
+    while (belongsToWord(text[offset]) && end < text.size() && belongsToWord(text[end])) ++end;
     return text.substr(begin, end - begin);
 }
 
@@ -94,17 +94,17 @@ bool namesNoNumber(std::string_view word) {
     return letters == "nan" || letters == "inf" || letters == "infinity";
 }
 
-/// Whether a comma stands before the bracket at `place`, with nothing but space between.
-bool followsComma(std::string_view text, std::size_t place) {
-    if (text[place] != ']' && text[place] != '}') return false;
-    const std::size_t before = text.substr(0, place).find_last_not_of(" \t\r\n");
+/// Whether a comma stands before the bracket at `offset`, with nothing but space between.
+bool followsComma(std::string_view text, std::size_t offset) {
+    if (text[offset] != ']' && text[offset] != '}') return false;
+    const std::size_t before = text.substr(0, offset).find_last_not_of(" \t\r\n");
     return before != std::string_view::npos && text[before] == ',';
 }
 
-/// `0,8` where the 8 at `place` is no key; empty where there is none.
-std::string_view decimalComma(std::string_view text, std::size_t place) {
+/// `0,8` where the 8 at `offset` is no key; empty where there is none.
+std::string_view decimalComma(std::string_view text, std::size_t offset) {
     const auto digit = [&](std::size_t at) { return std::isdigit(static_cast<unsigned char>(text[at])); };
-    const std::string_view after = wordAt(text, place);
+    const std::string_view after = wordAt(text, offset);
     const std::size_t begin = std::size_t(after.data() - text.data());
     if (begin < 2 || !digit(begin) || text[begin - 1] != ',' || !digit(begin - 2)) return {};
     const std::size_t before = std::size_t(wordAt(text, begin - 2).data() - text.data());
@@ -159,12 +159,12 @@ class TreeBuilder {
     }
 
   private:
-    /// Place of the last character of the event's token. The parser has read at most one character past it (behind a
+    /// Of the last character of the event's token. The parser has read at most one character past it (behind a
     /// number), so the last character taken never counts: it is the token's own, or what ended it.
-    std::size_t placeNow() const { return taken_ > 0 ? taken_ - 1 : 0; }
+    std::size_t offsetNow() const { return taken_ > 0 ? taken_ - 1 : 0; }
 
     int lineNow() {
-        for (; counted_ < placeNow(); ++counted_) line_ += text_[counted_] == '\n';
+        for (; counted_ < offsetNow(); ++counted_) line_ += text_[counted_] == '\n';
         return line_;
     }
 
@@ -231,15 +231,15 @@ class TreeBuilder {
     void reportSyntax(std::string_view parserText) {
         const bool atEnd = parserText.find("unexpected end of input") != std::string_view::npos;
         if (atEnd) return reportEnd();
-        const std::size_t place = placeNow();
-        const std::string_view word = wordAt(text_, place);
+        const std::size_t offset = offsetNow();
+        const std::string_view word = wordAt(text_, offset);
         if (namesNoNumber(word))
             return report(lineNow(), "", inQuotes(word) + " is not a number that JSON knows", "use a finite number");
         const bool inObject = !open_.empty() && open_.back()->kind == Kind::Object;
-        if (const std::string_view number = decimalComma(text_, place); inObject && !number.empty())
+        if (const std::string_view number = decimalComma(text_, offset); inObject && !number.empty())
             return report(lineNow(), "", inQuotes(number) + " is not a number that JSON knows",
                           "write a decimal point, as 0.8");
-        if (followsComma(text_, place))
+        if (followsComma(text_, offset))
             return report(lineNow(), "", "a comma stands before " + inQuotes(word) + " with nothing behind it",
                           "remove the comma");
         const SyntaxRow& row = *std::find_if(std::begin(kSyntaxTable), std::end(kSyntaxTable), [&](const SyntaxRow& r) {

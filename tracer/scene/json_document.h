@@ -37,9 +37,9 @@ std::string_view describe(JsonValue::Kind);
 /// `path` followed by a member: `path.key`, or `path["key"]` where the key is not a plain word.
 std::string memberPath(const std::string& path, std::string_view key);
 
-inline constexpr std::size_t kMaxJsonBytes = 4 << 20;
+inline constexpr std::size_t kMaxJsonBytes = 16 << 20;
 inline constexpr std::size_t kMaxJsonDepth = 64;
-inline constexpr std::size_t kMaxJsonValues = 1'000'000;
+inline constexpr std::size_t kMaxJsonValues = 2'000'000;
 
 std::optional<JsonValue> parseJson(std::string_view text, ProblemCounter&);
 std::optional<JsonValue> parseJson(std::string_view text, const std::string& file, Problems&);

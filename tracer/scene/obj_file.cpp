@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kFarthest = 1e6; // as coordinates in scene files
 
-bool isBlank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+bool isBlank(char c) { return c == ' ' || c == '\t'; }
 
 /// The next word of a line, which loses it.
 std::string_view nextWord(std::string_view& line) {
@@ -31,24 +31,29 @@ class Reader {
     Reader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
 
     std::variant<ObjFile, Complaint> read() {
+        constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+        if (text_.starts_with(kByteOrderMark)) text_.remove_prefix(kByteOrderMark.size());
+        const bool plain = text_.substr(0, 64).find('\0') == std::string_view::npos; // as UTF-16 is not
         while (!text_.empty() && complaint_[0].empty()) {
             ++line_;
             readLine(nextLine());
         }
         if (complaint_[0].empty() && obj_.faces.empty())
-            complaint_ = {file_ + " has no faces", "use an OBJ file with lines that begin with f"};
+            complaint_ = {file_ + " has no faces", plain ? "use an OBJ file with lines that begin with f"
+                                                         : "save it as plain text: it holds zero bytes"};
         if (!complaint_[0].empty()) return complaint_;
         return std::move(obj_);
     }
 
   private:
-    /// A backslash at its end continues a line.
+    /// A backslash at its end continues a line. Lines end as on any system: with \n, \r\n or \r.
     std::string nextLine() {
         std::string line;
         for (bool more = true; more && !text_.empty();) {
-            const std::size_t end = std::min(text_.find('\n'), text_.size());
+            const std::size_t end = std::min(text_.find_first_of("\r\n"), text_.size());
             std::string_view piece = text_.substr(0, end);
-            text_.remove_prefix(std::min(end + 1, text_.size()));
+            text_.remove_prefix(end);
+            text_.remove_prefix(text_.starts_with("\r\n") ? 2 : std::min<std::size_t>(1, text_.size()));
             while (!piece.empty() && isBlank(piece.back())) piece.remove_suffix(1);
             more = !piece.empty() && piece.back() == '\\';
             if (more) piece.remove_suffix(1);

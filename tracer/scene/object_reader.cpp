@@ -11,12 +11,12 @@ namespace {
 using Kind = JsonValue::Kind;
 
 /// One value on its way from the file into the scene: what all complaints about it need.
-struct Place {
+struct Entry {
     const JsonValue& value;
     std::string path;
     SceneReport& report;
 
-    Place item(std::size_t i) const { return {value.children[i], path + "[" + std::to_string(i) + "]", report}; }
+    Entry item(std::size_t i) const { return {value.children[i], path + "[" + std::to_string(i) + "]", report}; }
     bool complain(std::string what, std::string remedy = {}) const {
         report.add(value.line, path, std::move(what), std::move(remedy));
         return false;
@@ -35,53 +35,53 @@ std::string listed(const std::vector<std::string_view>& words) {
     return text;
 }
 
-bool checkNumber(const Place& place, Range range, double& target) {
-    if (!place.expect(Kind::Number, "a number")) return false;
-    const double number = place.value.number;
+bool checkNumber(const Entry& entry, Range range, double& target) {
+    if (!entry.expect(Kind::Number, "a number")) return false;
+    const double number = entry.value.number;
     if (!(number >= range.min && number <= range.max))
-        return place.complain(toString(number) + " is outside the limits",
+        return entry.complain(toString(number) + " is outside the limits",
                               (range.whole ? "use a whole number from " : "use a number from ") + spelled(range));
     if (range.whole && number != std::floor(number))
-        return place.complain(toString(number) + " is no whole number", "use one from " + spelled(range));
+        return entry.complain(toString(number) + " is no whole number", "use one from " + spelled(range));
     target = number;
     return true;
 }
 
 /// `count` numbers in a list, as in `example`. All are checked, even where one is wrong.
-bool checkNumbers(const Place& place, Range range, std::size_t count, const std::string& example, double* target) {
+bool checkNumbers(const Entry& entry, Range range, std::size_t count, const std::string& example, double* target) {
     const std::string wanted = "a list of " + std::to_string(count) + " numbers";
-    if (!place.expect(Kind::Array, wanted, example)) return false;
-    const std::size_t found = place.value.children.size();
+    if (!entry.expect(Kind::Array, wanted, example)) return false;
+    const std::size_t found = entry.value.children.size();
     if (found != count)
-        return place.complain("expected " + wanted + ", found " + std::to_string(found) + " entries",
+        return entry.complain("expected " + wanted + ", found " + std::to_string(found) + " entries",
                               found > count ? example + ", decimals with a point" : example);
     bool right = true;
-    for (std::size_t i = 0; i < count; ++i) right &= checkNumber(place.item(i), range, target[i]);
+    for (std::size_t i = 0; i < count; ++i) right &= checkNumber(entry.item(i), range, target[i]);
     return right;
 }
 
-bool checkVector(const Place& place, Range range, glm::dvec3& target, const std::string& example = "write [x, y, z]") {
+bool checkVector(const Entry& entry, Range range, glm::dvec3& target, const std::string& example = "write [x, y, z]") {
     double numbers[3];
-    if (!checkNumbers(place, range, 3, example, numbers)) return false;
+    if (!checkNumbers(entry, range, 3, example, numbers)) return false;
     target = {numbers[0], numbers[1], numbers[2]};
     return true;
 }
 
-bool checkDirection(const Place& place, Range range, glm::dvec3& target) {
+bool checkDirection(const Entry& entry, Range range, glm::dvec3& target) {
     glm::dvec3 direction;
-    if (!checkVector(place, range, direction)) return false;
+    if (!checkVector(entry, range, direction)) return false;
     const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
-    if (largest == 0) return place.complain("the direction is zero", "use a direction as [0, 1, 0]");
+    if (largest == 0) return entry.complain("the direction is zero", "use a direction as [0, 1, 0]");
     target = glm::normalize(direction / largest); // in two steps: tiny numbers must not vanish when squared
     return true;
 }
 
 /// One number stands for all channels.
-bool checkColor(const Place& place, Range range, glm::dvec3& target) {
+bool checkColor(const Entry& entry, Range range, glm::dvec3& target) {
     double number;
-    if (place.value.kind == Kind::Array) return checkVector(place, range, target, "write [r, g, b]");
-    if (place.value.kind != Kind::Number) return place.expect(Kind::Array, "a number or [r, g, b]");
-    if (!checkNumber(place, range, number)) return false;
+    if (entry.value.kind == Kind::Array) return checkVector(entry, range, target, "write [r, g, b]");
+    if (entry.value.kind != Kind::Number) return entry.expect(Kind::Array, "a number or [r, g, b]");
+    if (!checkNumber(entry, range, number)) return false;
     target = glm::dvec3(number);
     return true;
 }
@@ -90,10 +90,10 @@ std::size_t characters(std::string_view utf8) {
     return std::size_t(std::count_if(utf8.begin(), utf8.end(), [](char c) { return (c & 0xc0) != 0x80; }));
 }
 
-bool checkLength(const Place& place, Range range, std::string_view text) {
+bool checkLength(const Entry& entry, Range range, std::string_view text) {
     const double length = double(characters(text));
     if (length >= range.min && length <= range.max) return true;
-    return place.complain("a text of " + toString(length) + " characters", "use " + spelled(range) + " characters");
+    return entry.complain("a text of " + toString(length) + " characters", "use " + spelled(range) + " characters");
 }
 
 /// A relative path without detours: below the scene's folder.
@@ -114,43 +114,34 @@ bool endsAsHdr(std::string_view name) {
                       [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
 }
 
-bool checkImageName(const Place& place, ValueType type, std::string_view text) {
-    const auto refuse = [&](const char* remedy) {
-        return place.complain(inQuotes(text) + " is not an image's name", remedy);
-    };
+/// The name of a file beside the scene or below; `what` is in it.
+bool checkFileName(const Entry& entry, Range range, const std::string& what, std::string_view text) {
+    const auto refuse = [&](const char* remedy) { return entry.complain(inQuotes(text) + " is not " + what, remedy); };
     const auto outlawed = [](unsigned char c) { return c < 0x20 || c == 0x7f || c == '\\'; };
-    if (!checkLength(place, kImageName, text)) return false;
+    if (!checkLength(entry, range, text)) return false;
     if (std::any_of(text.begin(), text.end(), outlawed))
         return refuse("use no control characters, and / between folders");
     if (!staysInFolder(text))
         return refuse("name a file in the scene's folder or below it: no / at the beginning, no . and .. as folders");
+    return true;
+}
+
+bool checkImageName(const Entry& entry, ValueType type, std::string_view text) {
+    if (!checkFileName(entry, kImageName, "an image's name", text)) return false;
     if (type != ValueType::Panorama && endsAsHdr(text))
-        return refuse("use a PNG or JPEG: only a background's image may be HDR");
+        return entry.complain(inQuotes(text) + " is not an image's name",
+                              "use a PNG or JPEG: only a background's image may be HDR");
     return true;
 }
 
 /// One number stands for all three.
-bool checkScales(const Place& place, Range range, glm::dvec3& target) {
+bool checkScales(const Entry& entry, Range range, glm::dvec3& target) {
     double number;
-    if (place.value.kind == Kind::Array) return checkVector(place, range, target);
-    if (place.value.kind != Kind::Number) return place.expect(Kind::Array, "a number or [x, y, z]");
-    if (!checkNumber(place, range, number)) return false;
+    if (entry.value.kind == Kind::Array) return checkVector(entry, range, target);
+    if (entry.value.kind != Kind::Number) return entry.expect(Kind::Array, "a number or [x, y, z]");
+    if (!checkNumber(entry, range, number)) return false;
     target = glm::dvec3(number);
     return true;
-}
-
-/// As the schema's pattern has it.
-bool checkFileName(const Place& place, Range range, std::string_view text) {
-    bool begins = true, plain = !text.empty() && text.back() != '/';
-    for (const char c : text) {
-        const bool letter = std::isalnum(static_cast<unsigned char>(c)) || c == '_';
-        plain = plain && (letter || (!begins && (c == '/' || c == ' ' || c == '.' || c == '-')));
-        begins = c == '/';
-    }
-    if (plain) return checkLength(place, range, text);
-    return place.complain(inQuotes(text) + " is not a file beside the scene",
-                          "write its name, or FOLDER/NAME: letters, digits, blanks, . - and _, none of them "
-                          "beginning with a dot");
 }
 
 } // namespace
@@ -172,10 +163,11 @@ std::string SceneReport::suggest(std::string_view word, const std::vector<std::s
 ObjectReader::ObjectReader(const JsonValue& value, const ObjectFormat& format, std::string path, SceneReport& report)
     : value_(&value), format_(&format), path_(std::move(path)), report_(&report),
       problemsBefore_(report.problems.count()) {
-    if (!Place{value, path_, report}.expect(Kind::Object, "an object", "write { \"key\": value, ... }")) return;
+    if (!Entry{value, path_, report}.expect(Kind::Object, "an object", "write { \"key\": value, ... }")) return;
     reportUnknownKeys();
     reportMissingKeys();
     reportAlternatives();
+    reportExclusions();
 }
 
 int ObjectReader::lineOf(std::string_view key) const {
@@ -243,9 +235,15 @@ void ObjectReader::reportAlternatives() const {
     }
 }
 
+void ObjectReader::reportExclusions() const {
+    for (const auto& [key, others, what, remedy] : format_->exclusions)
+        if (has(key) && std::any_of(others.begin(), others.end(), [&](auto other) { return has(other); }))
+            report_->add(lineOf(key), pathOf(key), std::string(what), std::string(remedy));
+}
+
 bool ObjectReader::read(std::string_view key, bool& target) const {
     const JsonValue* value = value_->find(key);
-    if (!value || !Place{*value, pathOf(key), *report_}.expect(Kind::Boolean, "true or false")) return false;
+    if (!value || !Entry{*value, pathOf(key), *report_}.expect(Kind::Boolean, "true or false")) return false;
     target = value->boolean;
     return true;
 }
@@ -259,16 +257,17 @@ bool ObjectReader::read(std::string_view key, std::string& target) const {
     const JsonValue* value = value_->find(key);
     const FieldFormat& field = *format_->find(key);
     if (!value) return false;
-    const Place place{*value, pathOf(key), *report_};
-    if (!place.expect(Kind::String, "a string")) return false;
-    if (field.type == ValueType::Text && !checkLength(place, field.range, value->text)) return false;
+    const Entry entry{*value, pathOf(key), *report_};
+    if (!entry.expect(Kind::String, "a string")) return false;
+    if (field.type == ValueType::Text && !checkLength(entry, field.range, value->text)) return false;
     const bool image = field.type == ValueType::Image || field.type == ValueType::Panorama;
-    if (image && !checkImageName(place, field.type, value->text)) return false;
-    if (field.type == ValueType::File && !checkFileName(place, field.range, value->text)) return false;
+    if (image && !checkImageName(entry, field.type, value->text)) return false;
+    if (field.type == ValueType::File && !checkFileName(entry, field.range, "a file beside the scene", value->text))
+        return false;
     if (field.type == ValueType::Choice) {
         const auto& choices = field.choices;
         if (std::find(choices.begin(), choices.end(), value->text) == choices.end())
-            return place.complain(inQuotes(value->text) + " is not a choice", "use one of: " + listed(choices));
+            return entry.complain(inQuotes(value->text) + " is not a choice", "use one of: " + listed(choices));
     }
     target = value->text;
     return true;
@@ -278,14 +277,14 @@ bool ObjectReader::read(std::string_view key, glm::dvec2& target) const {
     const JsonValue* value = value_->find(key);
     const FieldFormat& field = *format_->find(key);
     if (!value) return false;
-    const Place place{*value, pathOf(key), *report_};
+    const Entry entry{*value, pathOf(key), *report_};
     double numbers[2];
     if (field.type == ValueType::Scale && value->kind == Kind::Number) {
-        if (!checkNumber(place, field.range, numbers[0])) return false;
+        if (!checkNumber(entry, field.range, numbers[0])) return false;
         numbers[1] = numbers[0];
     } else if (field.type == ValueType::Scale && value->kind != Kind::Array) {
-        return place.expect(Kind::Array, "a number or [u, v]");
-    } else if (!checkNumbers(place, field.range, 2, "write [u, v]", numbers)) {
+        return entry.expect(Kind::Array, "a number or [u, v]");
+    } else if (!checkNumbers(entry, field.range, 2, "write [u, v]", numbers)) {
         return false;
     }
     target = {numbers[0], numbers[1]};
@@ -296,38 +295,38 @@ bool ObjectReader::read(std::string_view key, glm::dvec3& target) const {
     const JsonValue* value = value_->find(key);
     const FieldFormat& field = *format_->find(key);
     if (!value) return false;
-    const Place place{*value, pathOf(key), *report_};
+    const Entry entry{*value, pathOf(key), *report_};
     switch (field.type) {
-    case ValueType::Color: return checkColor(place, field.range, target);
-    case ValueType::Scales: return checkScales(place, field.range, target);
-    case ValueType::Direction: return checkDirection(place, field.range, target);
-    default: return checkVector(place, field.range, target);
+    case ValueType::Color: return checkColor(entry, field.range, target);
+    case ValueType::Scales: return checkScales(entry, field.range, target);
+    case ValueType::Direction: return checkDirection(entry, field.range, target);
+    default: return checkVector(entry, field.range, target);
     }
 }
 
 bool ObjectReader::read(std::string_view key, std::array<glm::dvec3, 2>& target) const {
     const JsonValue* value = value_->find(key);
     if (!value) return false;
-    const Place place{*value, pathOf(key), *report_};
+    const Entry entry{*value, pathOf(key), *report_};
     const std::string example = "write [[r, g, b], [r, g, b]]";
-    if (!place.expect(Kind::Array, "a list of 2 colours", example)) return false;
+    if (!entry.expect(Kind::Array, "a list of 2 colours", example)) return false;
     if (const std::size_t found = value->children.size(); found != 2)
-        return place.complain("expected a list of 2 colours, found " + std::to_string(found) + " entries", example);
+        return entry.complain("expected a list of 2 colours, found " + std::to_string(found) + " entries", example);
     bool right = true;
-    for (std::size_t i = 0; i < 2; ++i) right &= checkColor(place.item(i), format_->find(key)->range, target[i]);
+    for (std::size_t i = 0; i < 2; ++i) right &= checkColor(entry.item(i), format_->find(key)->range, target[i]);
     return right;
 }
 
 bool ObjectReader::read(std::string_view key, std::array<glm::dvec3, 3>& target) const {
     const JsonValue* value = value_->find(key);
     if (!value) return false;
-    const Place place{*value, pathOf(key), *report_};
+    const Entry entry{*value, pathOf(key), *report_};
     const std::string example = "write [[x, y, z], [x, y, z], [x, y, z]]";
-    if (!place.expect(Kind::Array, "a list of 3 points", example)) return false;
+    if (!entry.expect(Kind::Array, "a list of 3 points", example)) return false;
     if (const std::size_t found = value->children.size(); found != 3)
-        return place.complain("expected a list of 3 points, found " + std::to_string(found) + " entries", example);
+        return entry.complain("expected a list of 3 points, found " + std::to_string(found) + " entries", example);
     bool right = true;
-    for (std::size_t i = 0; i < 3; ++i) right &= checkVector(place.item(i), format_->find(key)->range, target[i]);
+    for (std::size_t i = 0; i < 3; ++i) right &= checkVector(entry.item(i), format_->find(key)->range, target[i]);
     return right;
 }
 
@@ -340,9 +339,9 @@ std::optional<ObjectReader> ObjectReader::object(std::string_view key) const {
 std::optional<ObjectReader> ObjectReader::objectOrImage(std::string_view key, std::string& image) const {
     const JsonValue* value = value_->find(key);
     if (!value || value->kind == Kind::Object) return object(key);
-    const Place place{*value, pathOf(key), *report_};
-    if (place.expect(Kind::String, "an image's name or an object with \"image\"") &&
-        checkImageName(place, ValueType::Image, value->text))
+    const Entry entry{*value, pathOf(key), *report_};
+    if (entry.expect(Kind::String, "an image's name or an object with \"image\"") &&
+        checkImageName(entry, ValueType::Image, value->text))
         image = value->text;
     return std::nullopt;
 }
@@ -352,21 +351,28 @@ std::vector<ObjectReader::Member> ObjectReader::members(std::string_view key) co
     const FieldFormat& field = *format_->find(key);
     if (!value) return {};
     const bool map = field.type == ValueType::Map;
-    const Place place{*value, pathOf(key), *report_};
-    if (!place.expect(map ? Kind::Object : Kind::Array, map ? "an object" : "a list")) return {};
+    const Entry entry{*value, pathOf(key), *report_};
+    if (!entry.expect(map ? Kind::Object : Kind::Array, map ? "an object" : "a list")) return {};
     const double count = double(value->children.size());
     if (!(count >= field.range.min && count <= field.range.max)) {
-        place.complain(toString(count) + " entries", "use " + spelled(field.range) + " entries");
+        entry.complain(toString(count) + " entries", "use " + spelled(field.range) + " entries");
         return {};
     }
     std::vector<Member> all;
     for (std::size_t i = 0; i < value->children.size(); ++i) {
         const JsonValue& child = value->children[i];
-        const Place member{child, map ? memberPath(pathOf(key), child.key) : place.item(i).path, *report_};
+        const Entry member{child, map ? memberPath(pathOf(key), child.key) : entry.item(i).path, *report_};
         if (map) checkLength(member, kName, child.key);
         all.push_back({child.key, &child, member.path});
     }
     return all;
+}
+
+bool ObjectReader::readsAllOf(std::string_view key, const std::vector<Member>& read) const {
+    if (const JsonValue* value = value_->find(key))
+        return value->kind == Kind::Object && read.size() == value->children.size();
+    return std::none_of(value_->children.begin(), value_->children.end(),
+                        [&](const JsonValue& member) { return !closest(member.key, {key}).empty(); });
 }
 
 ObjectReader ObjectReader::open(std::string_view key, const Member& member) const {

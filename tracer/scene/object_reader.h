@@ -62,6 +62,9 @@ class ObjectReader {
         std::string path;
     };
     std::vector<Member> members(std::string_view key) const;
+    /// Whether `read`, the members of the map under `key`, are all that the file names. Else the map as a whole is
+    /// wrong or its key misspelt, which has been told: then no name is called unknown.
+    bool readsAllOf(std::string_view key, const std::vector<Member>& read) const;
     ObjectReader open(std::string_view key, const Member&) const;
 
   private:
@@ -70,6 +73,7 @@ class ObjectReader {
     void reportUnknownKeys() const;
     void reportMissingKeys() const;
     void reportAlternatives() const;
+    void reportExclusions() const;
 
     const JsonValue* value_;
     const ObjectFormat* format_;

@@ -19,8 +19,9 @@ ObjectsReader::ObjectsReader(const ObjectReader& root, const std::vector<Materia
                              const std::map<std::string, int>& materialNames, const SceneFiles& files,
                              SceneReport& report)
     : root_(root), materials_(materials), materialNames_(materialNames), files_(files), report_(report) {
-    for (const auto& member : root.members("definitions"))
-        definitions_.emplace(member.name, Definition{member, {}, {}});
+    const auto members = root.members("definitions");
+    for (const auto& member : members) definitions_.emplace(member.name, Definition{member, {}, {}});
+    knowsDefinitions_ = root.readsAllOf("definitions", members);
 }
 
 std::vector<Object> ObjectsReader::read() {
@@ -28,7 +29,8 @@ std::vector<Object> ObjectsReader::read() {
     for (const auto& object : root_.members("objects")) readObject(root_.open("objects", object), scene);
     scene.names.resolve(scene.objects, report_);
     for (auto& [name, definition] : definitions_) readDefinition(definition);
-    unknownDefinitions_.report("definition", namesIn(definitions_), "define it under \"definitions\"", report_);
+    if (knowsDefinitions_)
+        unknownDefinitions_.report("definition", namesIn(definitions_), "define it under \"definitions\"", report_);
     for (Object& object : scene.objects) {
         if (object.material == kNoMaterial) object.material = 0;
         if (!materials_[std::size_t(object.material)].showsImages()) object.shape = unoriented(object.shape);
@@ -63,9 +65,6 @@ void ObjectsReader::readObject(const ObjectReader& reader, Target& target) {
         object.material = kNoMaterial;
         object.shape = readShape(reader, report_);
         target.names.name(reader, int(from), object.name, report_);
-    } else if (isSeveral(reader) && reader.has("name")) {
-        report_.add(reader.lineOf("name"), reader.pathOf("name"), "only a single object has a name",
-                    "remove it, or name an object inside");
     }
     readMaterial(reader, from, target);
     bool castsShadow = true;
@@ -101,25 +100,30 @@ void ObjectsReader::readInstance(const ObjectReader& instance, Target& target) {
     place(instance, from, target);
 }
 
+std::variant<std::vector<Shape>, Complaint> ObjectsReader::trianglesOf(const std::string& file, bool smooth) const {
+    if (!files_) return Complaint{"a mesh cannot be read here", "write its triangles into the scene"};
+    Problems problems;
+    const auto bytes = files_(file, problems);
+    if (bytes) return meshOf(*bytes, file, smooth, kMostObjects);
+    if (problems.empty()) return Complaint{inQuotes(file) + " is missing", "put it beside the scene"};
+    return Complaint{inQuotes(file) + ": " + problems[0].what, problems[0].remedy};
+}
+
+/// Of a file that is no mesh the first mention is told.
 void ObjectsReader::readMesh(const ObjectReader& mesh, Target& target) {
     std::string file;
     bool smooth = true;
     mesh.read("smooth", smooth);
-    if (!mesh.read("file", file)) return;
-    const auto refuse = [&](const std::string& what, const std::string& remedy) {
-        report_.add(mesh.lineOf("file"), mesh.pathOf("file"), what, remedy);
-    };
-    if (!files_) return refuse("a mesh cannot be read here", "write its triangles into the scene");
-    Problems problems;
-    const auto bytes = files_(file, problems);
-    if (!bytes)
-        return refuse(problems.empty() ? inQuotes(file) + " is missing" : problems[0].what,
-                      problems.empty() ? "put it beside the scene" : problems[0].remedy);
-    const auto triangles = meshOf(*bytes, file, smooth, kMostObjects);
-    if (const auto* complaint = std::get_if<Complaint>(&triangles)) return refuse((*complaint)[0], (*complaint)[1]);
-    const auto& shapes = std::get<std::vector<Shape>>(triangles);
-    if (!hasRoom(shapes.size(), mesh, target)) return;
-    for (const Shape& shape : shapes) {
+    if (!mesh.read("file", file) || full_) return;
+    const auto [known, isNew] = meshes_.try_emplace({file, smooth});
+    if (isNew) {
+        auto triangles = trianglesOf(file, smooth);
+        if (const auto* complaint = std::get_if<Complaint>(&triangles))
+            return report_.add(mesh.lineOf("file"), mesh.pathOf("file"), (*complaint)[0], (*complaint)[1]);
+        known->second = std::get<std::vector<Shape>>(std::move(triangles));
+    }
+    if (!hasRoom(known->second.size(), mesh, target)) return;
+    for (const Shape& shape : known->second) {
         Object& object = target.objects.emplace_back();
         object.line = mesh.line();
         object.material = kNoMaterial;
@@ -190,7 +194,7 @@ void ObjectsReader::readGlow(const ObjectReader& object, std::size_t from, Targe
     reader->read("strength", glow.strength);
     reader->read("softness", glow.softness);
     if (isSeveral(object) || from == target.objects.size() || target.objects[from].shape.kind != ShapeKind::Sphere)
-        return report_.add(reader->line(), reader->path(), "only spheres can glow", "remove \"glow\" or use a sphere");
+        return;
     target.objects[from].glow = glow;
 }
 

@@ -1,11 +1,14 @@
 /// Reads the objects of a scene file: groups and instances are taken apart, meshes become triangles.
 #pragma once
 
+#include "tracer/scene/affine.h"
 #include "tracer/scene/object_names.h"
 #include "tracer/scene/read_scene.h"
 
 #include <map>
 #include <string>
+#include <utility>
+#include <variant>
 #include <vector>
 
 namespace gnomon {
@@ -36,6 +39,7 @@ class ObjectsReader {
     void readGroup(const ObjectReader&, Target&);
     void readInstance(const ObjectReader&, Target&);
     void readMesh(const ObjectReader&, Target&);
+    std::variant<std::vector<Shape>, Complaint> trianglesOf(const std::string& file, bool smooth) const;
     void readDefinition(Definition&);
     void place(const ObjectReader& group, std::size_t from, Target&);
     void readMaterial(const ObjectReader&, std::size_t from, Target&);
@@ -49,6 +53,8 @@ class ObjectsReader {
     const SceneFiles& files_;
     SceneReport& report_;
     std::map<std::string, Definition> definitions_;
+    bool knowsDefinitions_ = false;                                     ///< all that the file names
+    std::map<std::pair<std::string, bool>, std::vector<Shape>> meshes_; ///< by file and whether it is smooth
     UnknownNames unknownMaterials_, unknownDefinitions_;
     std::size_t made_ = 0; ///< objects, those of definitions as well
     bool full_ = false;

@@ -22,7 +22,7 @@ class SceneReader {
     Scene read(const JsonValue& document);
 
   private:
-    bool readMaterials(const ObjectReader& root, const JsonValue& document);
+    bool readMaterials(const ObjectReader& root);
     void readCamera(const ObjectReader&);
     void readBackground(const ObjectReader&);
     void readLight(const ObjectReader&);
@@ -64,22 +64,18 @@ Scene SceneReader::read(const JsonValue& document) {
     if (const auto background = root.object("background")) readBackground(*background);
     for (const auto& light : root.members("lights")) readLight(root.open("lights", light));
     scene_.materials.push_back(defaultMaterial());
-    const bool named = readMaterials(root, document);
+    const bool named = readMaterials(root);
     ObjectsReader objects(root, scene_.materials, materials_, files_, report_);
     scene_.objects = objects.read();
     if (named) objects.reportUnknownMaterials();
     return std::move(scene_);
 }
 
-/// False where the materials as a whole are wrong, and that has been told: then nothing is known of their names.
-bool SceneReader::readMaterials(const ObjectReader& root, const JsonValue& document) {
-    const std::size_t before = report_.problems.count();
+/// Whether all their names are known then.
+bool SceneReader::readMaterials(const ObjectReader& root) {
     const auto members = root.members("materials");
-    if (members.empty() && report_.problems.count() > before) return false;
     for (const auto& material : members) readMaterial(root.open("materials", material), material.name);
-    return root.has("materials") ||
-           std::none_of(document.children.begin(), document.children.end(),
-                        [](const JsonValue& member) { return !closest(member.key, {"materials"}).empty(); });
+    return root.readsAllOf("materials", members);
 }
 
 /// The view must be a view in float32, in which the shader computes it.
@@ -128,9 +124,7 @@ void SceneReader::readLight(const ObjectReader& reader) {
         spot->read("softness", light.softness);
     }
     reader.read("color", light.color);
-    if (reader.read("falloff", light.falloff) && light.kind == LightKind::Directional)
-        report_.add(reader.lineOf("falloff"), reader.pathOf("falloff"),
-                    "a directional light is at no distance from which it could fall off", "remove \"falloff\"");
+    reader.read("falloff", light.falloff);
     scene_.lights.push_back(light);
 }
 

@@ -181,7 +181,7 @@ Placement readPlacement(const ObjectReader& reader) {
 
 Complaint complaintOf(const SolidNode& node) {
     if (const int parts = partsOf(node); parts > kMostParts)
-        return {"a solid of " + std::to_string(parts) + " parts",
+        return {"a solid of " + std::to_string(parts) + " parts, operations counted",
                 "use at most " + std::to_string(kMostParts) + ", or several objects"};
     if (const SolidNode* dense = denseRepetition(node)) {
         const glm::ivec3 window = copiesAbout(*dense);

@@ -33,7 +33,7 @@ constexpr Range kDescription{0, 4000};
 constexpr Range kObjects{1, kMostObjects};
 constexpr Range kDefinitions{0, 256};
 constexpr Range kFile{1, 200};
-constexpr Range kParts{1, 64};
+constexpr Range kParts{1, 63}; // with the operation 64, as many as a solid may have
 constexpr Range kOffset{-1e6, 1e6};
 constexpr Range kDegrees{-360, 360};
 constexpr Range kScale{1e-3, 1e3};
@@ -116,7 +116,12 @@ const ObjectFormat& lightFormat() {
          {"falloff", Number, kLength,
           "Distance at which the light is as strong as its colour says; it falls with the square of the distance. "
           "Default: equally strong at every distance"}},
-        {{"light kind", {"point", "sphere", "directional", "spot"}, true}}};
+        {{"light kind", {"point", "sphere", "directional", "spot"}, true}},
+        {},
+        {{"falloff",
+          {"directional"},
+          "a directional light is at no distance from which it could fall off",
+          "remove \"falloff\""}}};
     return format;
 }
 
@@ -359,6 +364,13 @@ const ObjectFormat& objectFormat() {
              FieldFormat{"glow", Object, kAny, "Spheres only; default: none", false, &glowFormat()},
          })
         format.fields.push_back(field);
+    format.exclusions = {
+        {"name",
+         {"group", "instance", "mesh"},
+         "only a single object has a name",
+         "remove it, or name an object inside"},
+        {"glow", format.alternatives.front().keys, "only spheres can glow", "remove \"glow\" or use a sphere"}};
+    std::erase(format.exclusions.back().others, "sphere");
     return format;
 }
 

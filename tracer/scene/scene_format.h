@@ -52,11 +52,19 @@ struct Alternatives {
     bool required;
 };
 
+/// A key that may stand beside none of some others, and what is told where it does.
+struct Exclusion {
+    std::string_view key;
+    std::vector<std::string_view> others;
+    std::string_view what, remedy;
+};
+
 struct ObjectFormat {
     std::string_view help;
     std::vector<FieldFormat> fields;
     std::vector<Alternatives> alternatives{};
     std::string_view name{}; ///< of a format that holds itself: the schema refers to it
+    std::vector<Exclusion> exclusions{};
 
     const FieldFormat* find(std::string_view key) const;
 };

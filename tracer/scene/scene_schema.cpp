@@ -25,18 +25,14 @@ Json textSchema(Range range) {
 }
 
 /// Folders and a file, none of them empty, `.` or `..`; no backslash and no control character.
-Json imageSchema(ValueType type) {
-    const std::string path = R"(^(?!\.{0,2}(/|$))(?!.*/\.{0,2}(/|$)))", noHdr = R"((?!.*\.[hH][dD][rR]$))";
-    Json schema = textSchema(kImageName);
-    schema["pattern"] = path + (type == ValueType::Panorama ? "" : noHdr) + R"([^\\\x00-\x1f\x7f]+$)";
+Json fileSchema(Range range, const char* noEnding = "") {
+    Json schema = textSchema(range);
+    schema["pattern"] = R"(^(?!\.{0,2}(/|$))(?!.*/\.{0,2}(/|$)))" + std::string(noEnding) + R"([^\\\x00-\x1f\x7f]+$)";
     return schema;
 }
 
-/// No name in the path begins with a dot, so that it leads nowhere but downwards.
-Json fileSchema(Range range) {
-    Json schema = textSchema(range);
-    schema["pattern"] = "^[A-Za-z0-9_][A-Za-z0-9_ .-]*(/[A-Za-z0-9_][A-Za-z0-9_ .-]*)*$";
-    return schema;
+Json imageSchema(ValueType type) {
+    return fileSchema(kImageName, type == ValueType::Panorama ? "" : R"((?!.*\.[hH][dD][rR]$))");
 }
 
 Json either(const Json& one, const Json& other) { return {{"anyOf", Json::array({one, other})}}; }
@@ -100,6 +96,12 @@ Json alternativesSchema(const Alternatives& group) {
     return {{"oneOf", each}};
 }
 
+Json exclusionSchema(const Exclusion& exclusion) {
+    Json each = Json::array();
+    for (std::string_view key : exclusion.others) each.push_back({{"required", Json::array({key})}});
+    return {{"not", {{"required", Json::array({exclusion.key})}, {"anyOf", each}}}};
+}
+
 /// Named formats once, under $defs; elsewhere they are referred to.
 Json objectSchema(const ObjectFormat& format) {
     return format.name.empty() ? wholeSchema(format) : Json{{"$ref", "#/$defs/" + std::string(format.name)}};
@@ -133,6 +135,7 @@ Json wholeSchema(const ObjectFormat& format) {
     schema["additionalProperties"] = false;
     if (!required.empty()) schema["required"] = required;
     for (const Alternatives& group : format.alternatives) schema["allOf"].push_back(alternativesSchema(group));
+    for (const Exclusion& exclusion : format.exclusions) schema["allOf"].push_back(exclusionSchema(exclusion));
     return schema;
 }
 

@@ -48,6 +48,25 @@ double segmentDistance(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
     return glm::distance(p, a + part * (b - a));
 }
 
+double segmentDistance(glm::dvec3 p, glm::dvec3 a, glm::dvec3 b) {
+    const double part = std::clamp(glm::dot(p - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0);
+    return glm::distance(p, a + part * (b - a));
+}
+
+/// Flat shapes have no inside: never negative.
+double triangleDistance(const Shape& triangle, glm::dvec3 p) {
+    const glm::dvec3 a = vertexOf(triangle, 0),
+                     normal = glm::normalize(glm::cross(vertexOf(triangle, 1) - a, vertexOf(triangle, 2) - a));
+    bool over = true;
+    double rim = kInfinity;
+    for (int i = 0; i < 3; ++i) {
+        const glm::dvec3 from = vertexOf(triangle, i), to = vertexOf(triangle, (i + 1) % 3);
+        over = over && glm::dot(glm::cross(normal, to - from), p - from) >= 0;
+        rim = std::min(rim, segmentDistance(p, from, to));
+    }
+    return over ? std::abs(glm::dot(p - a, normal)) : rim;
+}
+
 /// Of a point from an axis through `middle`: radial distance, and along it.
 glm::dvec2 profile(glm::dvec3 p, glm::dvec3 middle, glm::dvec3 axis) {
     const double along = glm::dot(p - middle, axis);
@@ -57,6 +76,11 @@ glm::dvec2 profile(glm::dvec3 p, glm::dvec3 middle, glm::dvec3 axis) {
 double torusDistance(const Shape& torus, glm::dvec3 p) {
     const glm::dvec2 at = profile(p, pointOf(torus, "center"), glm::normalize(pointOf(torus, "axis")));
     return std::hypot(at.x - lengthOf(torus, "major_radius"), at.y) - lengthOf(torus, "minor_radius");
+}
+
+double discDistance(const Shape& disc, glm::dvec3 p) {
+    const glm::dvec2 at = profile(p, pointOf(disc, "center"), glm::normalize(pointOf(disc, "normal")));
+    return std::hypot(std::max(at.x - lengthOf(disc, "radius"), 0.0), at.y);
 }
 
 /// Cylinder, capsule, cone.
@@ -144,9 +168,9 @@ double signedDistance(const Shape& shape, glm::dvec3 p) {
     case ShapeKind::Cone: return axialDistance(shape, p);
     case ShapeKind::Mandelbulb: return mandelbulbDistance(shape, p);
     case ShapeKind::Solid: return fieldOf(shape.solid->root, p - (pointOf(shape, "center") - shape.home));
-    case ShapeKind::Disc:
+    case ShapeKind::Disc: return discDistance(shape, p);
     case ShapeKind::Triangle:
-    case ShapeKind::SmoothTriangle:
+    case ShapeKind::SmoothTriangle: return triangleDistance(shape, p);
     case ShapeKind::LargeSphere: break; // that is only how a sphere is drawn
     }
     return kInfinity;

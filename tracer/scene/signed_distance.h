@@ -11,7 +11,7 @@ namespace gnomon {
 bool boundsBody(ShapeKind);
 
 /// Negative inside. Exact outside of analytic shapes, of solids as tracer/scene/solid.h says; of a Mandelbulb only the
-/// sign counts, of a disc and a triangle it is infinite.
+/// sign counts; of a disc and a triangle it is never negative.
 double signedDistance(const Shape&, glm::dvec3 p);
 
 } // namespace gnomon

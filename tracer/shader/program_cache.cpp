@@ -45,12 +45,22 @@ std::shared_ptr<CachedProgram> ProgramCache::get(const Plan& plan, Problems& pro
     Plan key = sourceKeyOf(plan);
     const auto known = std::find_if(planned_.begin(), planned_.end(),
                                     [&](const Planned& one) { return one.pass == pass && one.key == key; });
-    if (known != planned_.end() && isThere(*known->program)) return known->program;
-    auto program = build(plan, pass, problems);
     if (known != planned_.end())
-        known->program = program; // the old one went with its context
-    else if (program)
-        planned_.push_back({std::move(key), std::string(pass), program});
+        if (auto program = known->program.lock(); program && isThere(*program)) return keep(std::move(program));
+    auto program = build(plan, pass, problems);
+    if (!program) return nullptr;
+    std::erase_if(planned_, [](const Planned& one) { // what is forgotten, or gone with its context
+        const auto old = one.program.lock();
+        return !old || !isThere(*old);
+    });
+    planned_.push_back({std::move(key), std::string(pass), program});
+    return keep(std::move(program));
+}
+
+std::shared_ptr<CachedProgram> ProgramCache::keep(std::shared_ptr<CachedProgram> program) {
+    std::erase_if(kept_, [&](const auto& one) { return one == program || !isThere(*one); });
+    kept_.push_back(program);
+    if (kept_.size() > kMostKept) kept_.erase(kept_.begin());
     return program;
 }
 
@@ -63,9 +73,11 @@ std::shared_ptr<CachedProgram> ProgramCache::build(const Plan& plan, std::string
         problems.insert(problems.end(), faults.begin(), faults.end());
         return nullptr;
     }
-    std::shared_ptr<CachedProgram>& entry = programs_[canvas.text + source.text];
-    if (entry && isThere(*entry)) return entry;
-    entry = std::make_shared<CachedProgram>();
+    std::erase_if(programs_, [](const auto& one) { return one.second.expired(); });
+    std::weak_ptr<CachedProgram>& known = programs_[canvas.text + source.text];
+    if (auto program = known.lock(); program && isThere(*program)) return program;
+    const auto entry = std::make_shared<CachedProgram>();
+    known = entry;
     entry->stats.sourceBytes = source.text.size();
     entry->started = monotonicSeconds();
     entry->stats.buildMs = (entry->started - start) * 1e3;

@@ -1,5 +1,6 @@
-/// Compiled programs by their plan: each is built once, in the background where the GL can, and kept. A plan that was
-/// asked for before generates no source; plans that come to the same source share its program.
+/// Compiled programs by their plan: each is built once, in the background where the GL can, and kept until kMostKept
+/// others have been asked for. A plan that was asked for before generates no source; plans that come to the same source
+/// share its program.
 #pragma once
 
 #include "tracer/gl/objects.h"
@@ -35,6 +36,9 @@ struct CachedProgram {
 
 class ProgramCache {
   public:
+    /// Programs are kept beside those that somebody draws with.
+    static constexpr std::size_t kMostKept = 128;
+
     /// `overrides` as for buildShader(); their names and texts must outlive the cache.
     explicit ProgramCache(bool pollable, std::span<const ShaderFile> overrides = {})
         : pollable_(pollable), overrides_(overrides.begin(), overrides.end()) {}
@@ -55,15 +59,17 @@ class ProgramCache {
     struct Planned {
         Plan key; ///< sourceKeyOf()
         std::string pass;
-        std::shared_ptr<CachedProgram> program;
+        std::weak_ptr<CachedProgram> program;
     };
 
     std::shared_ptr<CachedProgram> build(const Plan&, std::string_view pass, Problems&);
+    std::shared_ptr<CachedProgram> keep(std::shared_ptr<CachedProgram>);
 
     bool pollable_;
     std::vector<ShaderFile> overrides_;
-    std::vector<Planned> planned_;                                   ///< with the overrides there are
-    std::map<std::string, std::shared_ptr<CachedProgram>> programs_; ///< by the text of both shaders
+    std::vector<Planned> planned_;                                 ///< with the overrides there are
+    std::map<std::string, std::weak_ptr<CachedProgram>> programs_; ///< by the text of both shaders
+    std::vector<std::shared_ptr<CachedProgram>> kept_;             ///< the last asked for at the end
 };
 
 } // namespace gnomon

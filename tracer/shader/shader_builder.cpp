@@ -76,8 +76,7 @@ class Builder {
 
     void include(std::string_view name, int depth = 0) {
         if (const auto solid = solids_.find(name); solid != solids_.end()) return includeSolid(solid->second, depth);
-        const ShaderFile* found = find(overrides_, name);
-        if (!found) found = find(shaderLibrary(), name);
+        const ShaderFile* found = fileNamed(name);
         if (!found) return problem("(generated)", 0, "there is no shader file " + std::string(name));
         if (std::find(source_.modules.begin(), source_.modules.end(), found->name) != source_.modules.end()) return;
         source_.modules.push_back(found->name);
@@ -96,6 +95,12 @@ class Builder {
         return found == files.end() ? nullptr : &*found;
     }
 
+    /// An override, or the library's.
+    const ShaderFile* fileNamed(std::string_view name) const {
+        const ShaderFile* found = find(overrides_, name);
+        return found ? found : find(shaderLibrary(), name);
+    }
+
     struct SolidFile {
         std::string type, text;
         bool included = false;
@@ -106,7 +111,7 @@ class Builder {
         if (std::exchange(solid.included, true)) return;
         const Lines field = linesOf("(generated)", solid.text);
         process(field, 0, field.text.size(), {}, depth + 1);
-        const ShaderFile* shared = find(shaderLibrary(), "sdf/solid.glsl");
+        const ShaderFile* shared = fileNamed("sdf/solid.glsl");
         const Lines lines = linesOf(shared->name, shared->text);
         process(lines, 0, lines.text.size(), {{"Shape", solid.type}}, depth + 1);
     }

@@ -82,7 +82,6 @@ Names namesOf(const Plan& plan) {
         {"MEDIA", f.refraction && f.media > 0},
         {"ABSORPTION", f.refraction && f.absorption},
         {"PASSES_ON", f.refraction && f.passesOn},
-        {"CUTS", f.passesOn},
         {"PAINTS", f.paints},
         {"NORMAL_MAPS", f.normalMaps},
         {"IMAGES", f.paints + f.normalMaps + f.checkers},

@@ -93,6 +93,16 @@ export async function fetchImage(name, onBytes) {
 
 const isJpeg = (bytes) => bytes[0] === 0xff && bytes[1] === 0xd8;
 
+/** The JPEG with its metadata as a comment: browsers would turn the picture as that says, the program does not. */
+export function unturned(bytes) {
+  const plain = bytes.slice();
+  for (let at = 2; plain[at] === 0xff && plain[at + 1] < 0xff && plain[at + 1] !== 0xda; ) {
+    if (plain[at + 1] === 0xe1) plain[at + 1] = 0xfe;
+    at += 2 + 256 * plain[at + 2] + plain[at + 3];
+  }
+  return plain;
+}
+
 /**
  * Hands an image over: `give(name, bytes, width)` takes a file's bytes, or texels where there is a width. A JPEG is
  * decoded by the browser, once `measure(name, bytes)` has found nothing against it. Answers problems, '' of none.
@@ -102,7 +112,7 @@ export async function handImage({ measure, give }, name, bytes) {
   const problems = measure(name, bytes);
   if (problems) return problems;
   const options = { colorSpaceConversion: 'none', premultiplyAlpha: 'none' };
-  const picture = await createImageBitmap(new Blob([bytes]), options).catch(() => null);
+  const picture = await createImageBitmap(new Blob([unturned(bytes)]), options).catch(() => null);
   if (!picture) return `${name}: cannot be read as a picture (a broken JPEG)`;
   const canvas = new OffscreenCanvas(picture.width, picture.height).getContext('2d');
   canvas.drawImage(picture, 0, 0);

@@ -241,8 +241,11 @@ glm::dvec3 Picture::scattered(const Material& material, const SceneHit& hit, Vec
                               const Bodies& inside, const Bodies& behind) const {
     if (std::holds_alternative<std::monostate>(material.optics)) return glm::dvec3(0);
     const Real cosine = std::clamp<Real>(-glm::dot(direction, hit.normal), 0, 1);
-    // Of a dielectric's medium on the ray's side over that beyond; a coat, and a conductor, is seen from the air.
-    const Real eta = material.refracts() ? Real(float(mediumOf(inside).ior)) / Real(float(mediumOf(behind).ior)) : 0;
+    // Of the medium on the ray's side over that beyond, which a coat and a conductor have of their own; Schlick's form
+    // of these is for air.
+    const bool inMedium = material.refracts() || scene_.fresnel == Fresnel::Exact;
+    const Real here = inMedium ? Real(float(mediumOf(inside).ior)) : 1;
+    const Real eta = here / (material.refracts() ? Real(float(mediumOf(behind).ior)) : 1);
     glm::dvec3 sum(0), mirrored = reflectance(material, cosine, eta);
     if (material.refracts()) {
         const Real k = 1 - eta * eta * (1 - cosine * cosine); // squared cosine beyond the surface, by Snell's law
@@ -262,7 +265,7 @@ glm::dvec3 Picture::reflectance(const Material& material, Real cosine, Real eta)
     const auto indices = indicesOf(material);
     glm::dvec3 reflected(0);
     for (int c = 0; c < 3; ++c) {
-        const std::complex<Real> index = material.refracts() ? 1 / eta : indices[std::size_t(c)];
+        const std::complex<Real> index = material.refracts() ? 1 / eta : indices[std::size_t(c)] / eta;
         const Real squared = 1 - (1 - cosine * cosine) / std::norm(index); // of the cosine beyond, of clear media
         const bool fromThicker = material.refracts() && eta > 1;
         const Real thinner = fromThicker ? std::sqrt(std::max<Real>(squared, 0)) : cosine;

@@ -1,7 +1,5 @@
 #include "lab/reference/exact/solid.h"
 
-#include "lab/reference/exact/exact_shape.h"
-
 #include <algorithm>
 #include <cmath>
 #include <complex>
@@ -32,45 +30,51 @@ double estimateOf(const Shape& bulb, glm::dvec3 p) {
     return radius * std::max(std::min(0.5 * std::log(r) * r / slope, 1.0), glm::length(c) - 1.25);
 }
 
-double distanceOf(const Shape& shape, glm::dvec3 p) {
-    if (shape.kind == ShapeKind::Mandelbulb) return estimateOf(shape, p);
-    const ExactShape<double> exact(shape, Values::OfTheScene);
-    const auto middle = exact.middle();
-    return exact.distance({p.x - double(middle.x), p.y - double(middle.y), p.z - double(middle.z)});
-}
-
 double melted(double a, double b, double blend) {
     const double overlap = std::max(blend - std::abs(a - b), 0.0) / blend;
     return std::min(a, b) - overlap * overlap * blend / 4;
 }
 
-double repeatedField(const SolidNode& node, glm::dvec3 p) {
+} // namespace
+
+SolidField::SolidField(const SolidNode& node) : node_(node) {
+    node_.of.clear();
+    for (const SolidNode& part : node.of) of_.emplace_back(part);
+    if (node.op == SolidOp::Shape && node.shape.kind != ShapeKind::Mandelbulb)
+        shape_.emplace(node.shape, Values::OfTheScene);
+    if (node.op == SolidOp::Transform) back_ = glm::mat3_cast(glm::inverse(node.rotate)) / node.scale;
+}
+
+double SolidField::ofShape(glm::dvec3 p) const {
+    if (!shape_) return estimateOf(node_.shape, p);
+    const auto& middle = shape_->middle();
+    return shape_->boundedDistance({p.x - double(middle.x), p.y - double(middle.y), p.z - double(middle.z)});
+}
+
+double SolidField::ofCopies(glm::dvec3 p) const {
     double least = 1e30;
-    for (int i = 0; i < int(node.count.x); ++i)
-        for (int j = 0; j < int(node.count.y); ++j)
-            for (int k = 0; k < int(node.count.z); ++k)
-                least = std::min(least, fieldOf(node.of[0], p - node.period * glm::dvec3(i, j, k)));
+    for (int i = 0; i < int(node_.count.x); ++i)
+        for (int j = 0; j < int(node_.count.y); ++j)
+            for (int k = 0; k < int(node_.count.z); ++k)
+                least = std::min(least, of_[0].at(p - node_.period * glm::dvec3(i, j, k)));
     return least;
 }
 
-} // namespace
-
-double fieldOf(const SolidNode& node, glm::dvec3 p) {
-    switch (node.op) {
-    case SolidOp::Shape: return distanceOf(node.shape, p);
-    case SolidOp::Offset: return fieldOf(node.of[0], p) - node.amount;
-    case SolidOp::Transform:
-        return node.scale * fieldOf(node.of[0], glm::inverse(node.rotate) * (p - node.translate) / node.scale);
-    case SolidOp::Repetition: return repeatedField(node, p);
+double SolidField::at(glm::dvec3 p) const {
+    switch (node_.op) {
+    case SolidOp::Shape: return ofShape(p);
+    case SolidOp::Offset: return of_[0].at(p) - node_.amount;
+    case SolidOp::Transform: return node_.scale * of_[0].at(back_ * (p - node_.translate));
+    case SolidOp::Repetition: return ofCopies(p);
     default: break;
     }
-    double field = fieldOf(node.of[0], p);
-    for (std::size_t i = 1; i < node.of.size(); ++i) {
-        const double other = fieldOf(node.of[i], p);
-        if (node.op == SolidOp::Union) field = std::min(field, other);
-        if (node.op == SolidOp::Intersection) field = std::max(field, other);
-        if (node.op == SolidOp::Difference) field = std::max(field, -other);
-        if (node.op == SolidOp::SmoothUnion) field = melted(field, other, node.amount);
+    double field = of_[0].at(p);
+    for (std::size_t i = 1; i < of_.size(); ++i) {
+        const double other = of_[i].at(p);
+        if (node_.op == SolidOp::Union) field = std::min(field, other);
+        if (node_.op == SolidOp::Intersection) field = std::max(field, other);
+        if (node_.op == SolidOp::Difference) field = std::max(field, -other);
+        if (node_.op == SolidOp::SmoothUnion) field = melted(field, other, node_.amount);
     }
     return field;
 }

@@ -3,7 +3,6 @@
 // Source  the ray scaled to the unit sphere's space, then |o + t d|² = 1 as a quadratic in t
 // Limits  b² - a c about the far origin: from 1000 radii on hits are lost, of thin ones earlier. An epsilon keeps rays
 //         off their own start; side is ignored. No texture coordinates
-#include "primitive/rotation.glsl"
 
 struct Ellipsoid {
     vec3 center;
@@ -12,7 +11,8 @@ struct Ellipsoid {
 };
 
 Ellipsoid loadEllipsoid(int at) {
-    return Ellipsoid(sceneTexel(at).xyz, sceneTexel(at + 1).xyz, axesOf(sceneTexel(at + 2).xyz));
+    mat3 axes = mat3(sceneTexel(at + 2).xyz, sceneTexel(at + 3).xyz, sceneTexel(at + 4).xyz);
+    return Ellipsoid(sceneTexel(at).xyz, sceneTexel(at + 1).xyz, axes);
 }
 
 bool intersectEllipsoid(Ellipsoid ellipsoid, Ray ray, float side, inout float t) {

@@ -3,7 +3,6 @@
 // Source  the whole ray rotated into the box' axes, then its textbook intersector
 // Limits  those of primitive/box.glsl; the far origin is rotated, too, and so rounded by what it is far away
 #include "primitive/box.glsl"
-#include "primitive/rotation.glsl"
 
 struct RotatedBox {
     vec3 center;
@@ -12,7 +11,8 @@ struct RotatedBox {
 };
 
 RotatedBox loadRotatedBox(int at) {
-    return RotatedBox(sceneTexel(at).xyz, sceneTexel(at + 1).xyz, axesOf(sceneTexel(at + 2).xyz));
+    mat3 axes = mat3(sceneTexel(at + 2).xyz, sceneTexel(at + 3).xyz, sceneTexel(at + 4).xyz);
+    return RotatedBox(sceneTexel(at).xyz, sceneTexel(at + 1).xyz, axes);
 }
 
 Ray alongAxesOf(RotatedBox rotated, Ray ray) {
