@@ -6,6 +6,7 @@
 #include "tracer/printable.h"
 #include "tracer/render/renderer.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <memory>
@@ -21,6 +22,12 @@ struct RenderOptions {
     std::string context = "osmesa";
 };
 
+/// What is wrong with the scene's own file is the input's fault, all else the GL's.
+ExitCode whyNotDrawn(const Problems& problems, const Scene& scene) {
+    const auto ofScene = [&](const Problem& problem) { return !scene.file.empty() && problem.file == scene.file; };
+    return !problems.empty() && std::ranges::all_of(problems, ofScene) ? kInputWrong : kNoGl;
+}
+
 /// Draws with a renderer of the current context and writes the file: a picture as a window shows it, or the numbers.
 ExitCode draw(Loaded& loaded, const Settings& settings, const CameraPose& pose, const std::string& file,
               ImageFormat format, Problems& problems) {
@@ -30,15 +37,15 @@ ExitCode draw(Loaded& loaded, const Settings& settings, const CameraPose& pose, 
     for (auto& [name, image] : loaded.images) renderer.setImage(name, std::move(image));
     renderer.configure(settings);
     const View view{pose, settings.time, settings.size.x, settings.size.y};
-    if (!renderer.finish(problems)) return kNoGl;
+    if (!renderer.finish(problems)) return whyNotDrawn(problems, loaded.scene);
     bool written = false;
     if (format == ImageFormat::Png) {
         const Image picture = renderer.readPicture(view, problems);
-        if (!problems.empty()) return kNoGl;
+        if (!problems.empty()) return whyNotDrawn(problems, loaded.scene);
         written = writeImage(file, picture, problems);
     } else {
         const FloatImage values = renderer.readOutput(view, problems);
-        if (!problems.empty()) return kNoGl;
+        if (!problems.empty()) return whyNotDrawn(problems, loaded.scene);
         written = writeImage(file, format, values, problems);
     }
     if (const std::string cut = renderer.depthCut(view); written && !cut.empty())

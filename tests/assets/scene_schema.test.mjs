@@ -40,6 +40,13 @@ const sensible = {
 }; // prettier-ignore
 const sphere = { sphere: { center: [0, 0, 0], radius: 1 } };
 
+/** Lists of keys one of which stands in the object, and pairs that do not stand in it together. */
+const alternatives = (node) => (node.allOf ?? []).filter((rule) => rule.oneOf);
+const exclusions = (node) =>
+  (node.allOf ?? [])
+    .filter((rule) => rule.not)
+    .flatMap((rule) => rule.not.anyOf.map((other) => [rule.not.required[0], other.required[0]]));
+
 /** A value that the node admits, as small as can be. */
 function example(node, key) {
   if (sensible[key] !== undefined) return sensible[key];
@@ -54,14 +61,14 @@ function example(node, key) {
   if (node.type === 'array') return Array.from({ length: Math.max(1, node.minItems) }, () => example(node.items));
   if (node.type !== 'object') return 'anything';
   const keys = new Set(node.required ?? []);
-  for (const group of node.allOf ?? []) if (group.oneOf[0].required) keys.add(group.oneOf[0].required[0]);
+  for (const group of alternatives(node)) if (group.oneOf[0].required) keys.add(group.oneOf[0].required[0]);
   return Object.fromEntries([...keys].map((name) => [name, example(node.properties[name], name)]));
 }
 
 /** The same object with one key more, and without those that exclude it. */
 function withKey(node, object, key, value) {
   const result = { ...object, [key]: value };
-  for (const group of node.allOf ?? []) {
+  for (const group of alternatives(node)) {
     const keys = group.oneOf.flatMap((one) => one.required ?? []);
     if (keys.includes(key)) for (const other of keys) if (other !== key) delete result[other];
   }
@@ -134,7 +141,9 @@ function* objects(node, key) {
     const { [name]: gone, ...rest } = base;
     yield rest;
   }
-  for (const group of node.allOf ?? []) {
+  for (const pair of exclusions(node))
+    yield pair.reduce((object, name) => withKey(node, object, name, example(node.properties[name], name)), base);
+  for (const group of alternatives(node)) {
     const [one, other] = group.oneOf.flatMap((each) => each.required ?? []);
     yield { ...base, [one]: example(node.properties[one], one), [other]: example(node.properties[other], other) };
   }
