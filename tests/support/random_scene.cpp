@@ -269,7 +269,10 @@ class RandomScene {
     }
 
     Json object(Json made, int materials) {
-        if (form_.chance(0.9)) made["material"] = materialName(form_.whole(0, materials - 1));
+        // How often a ray passes a Mandelbulb of glass hangs on single roundings of its estimate, in which two programs
+        // of one driver differ: a pixel in 6656 scenes did on llvmpipe, none with the same GLSL on softpipe.
+        const bool dust = made.dump().find("mandelbulb") != std::string::npos;
+        if (form_.chance(0.9) && !dust) made["material"] = materialName(form_.whole(0, materials - 1));
         if (form_.chance(0.15)) made["casts_shadow"] = false;
         if (form_.chance(0.2))
             made["motion"]["orbit"] = {{"cos", point(0.5)}, {"sin", point(0.5)}, {"rate", value_.number(-3, 3)}};

@@ -1,5 +1,5 @@
 /// Whole scenes at random: every shape, solids of several levels, every sort of material, light and motion, objects
-/// that touch or coincide, planets to stand on.
+/// that touch or coincide, planets to stand on. No Mandelbulb of glass.
 #pragma once
 
 #include "tracer/image.h"
