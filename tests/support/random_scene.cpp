@@ -269,8 +269,8 @@ class RandomScene {
     }
 
     Json object(Json made, int materials) {
-        // How often a ray passes a Mandelbulb of glass hangs on single roundings of its estimate, in which two programs
-        // of one driver differ: a pixel in 6656 scenes did on llvmpipe, none with the same GLSL on softpipe.
+        // How often a ray passes a Mandelbulb of glass seems to hang on single roundings of its estimate: one pixel in
+        // 6656 scenes differed between two programs on llvmpipe, none with the same GLSL on softpipe.
         const bool dust = made.dump().find("mandelbulb") != std::string::npos;
         if (form_.chance(0.9) && !dust) made["material"] = materialName(form_.whole(0, materials - 1));
         if (form_.chance(0.15)) made["casts_shadow"] = false;

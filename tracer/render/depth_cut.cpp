@@ -42,6 +42,7 @@ DepthCut DepthProbe::measure(const Drawing& drawing, View view, Frame& frame) {
     view.height = std::clamp(kWidth * view.height / std::max(view.width, 1), 1, kMostHeight);
     view.width = kWidth;
     const FloatImage deepest = pictureAt(kMostDepth, drawing, view, frame);
+    if (deepest.pixels.empty()) return cut;
     const auto errorAt = [&](int depth) { return meanDifference(pictureAt(depth, drawing, view, frame), deepest); };
     cut.error = errorAt(cut.depth);
     for (double error = cut.error; error > DepthCut::kMost; error = errorAt(cut.enough))
