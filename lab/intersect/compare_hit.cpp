@@ -41,6 +41,7 @@ Bounds boundsOf(ShapeKind kind) {
     case ShapeKind::Plane: return {0x1p-22, 4, 2, 1};
     case ShapeKind::Triangle:
     case ShapeKind::SmoothTriangle: return {0x1p-22, 1.5, 2, 1};
+    case ShapeKind::HeightPatch: return {0x1p-21, 2, 2, 4};
     case ShapeKind::LargeSphere: // tests/shader/large_sphere_test.cpp
     case ShapeKind::Mandelbulb:  // have no intersector
     case ShapeKind::Solid: break;

@@ -1,5 +1,5 @@
-// What a solid that only estimates its distance covers of a light's disc: by rays, one to a point of each of the disc's
-// seven parts that varies from pixel to pixel. Where two opposite ones agree the others are taken to do so, too.
+// What a shape covers of a light's disc whose outline is not known, a solid that only estimates its distance or a patch:
+// by rays, one to a point of each of the disc's seven parts that varies from pixel to pixel. Where two opposite ones agree the others are taken to do so, too.
 //
 // Error   a Mandelbulb: .03 of the disc on average (RMSE), as noise (docs/shadows.md); a part the two miss is missed
 // Why     an estimate tells the way past a solid too short, and a march along a cone that grazes one takes many steps
@@ -10,7 +10,7 @@
 int partInTurn(int i) { return i < 2 ? 1 + 3 * i : (i == 2 ? 0 : (i < 5 ? i - 1 : i)); }
 
 #for Shape in CASTERS
-#if $SHAPE_ESTIMATED
+#if $SHAPE_RAY_COVER
 bool hides$Shape(int index, ShadowQuery query, LightCone cone, vec2 q) {
     vec3 along = vec3(cone.slope * q, 1.0);
     float secant = length(along);

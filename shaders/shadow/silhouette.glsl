@@ -28,7 +28,7 @@ LightCone coneTo(ShadowQuery query) {
 #if MARCHED_CASTERS
 #include "shadow/sdf_cover.glsl"
 #endif
-#if ESTIMATED_CASTERS
+#if RAY_COVERED_CASTERS
 #include "shadow/sphere_parts.glsl"
 #include "shadow/ray_cover.glsl"
 #endif
@@ -47,7 +47,7 @@ void hide$Shape(int index, ShadowQuery query, LightCone cone, inout Shade shade)
     for (int i = 0; i < (inside ? 1 : 0); ++i) hideAll$Shape(index, query, shade);
     for (int i = 0; i < (cover.area > 0.0 ? 1 : 0); ++i) unite(shade, cover);
 }
-#elif !$SHAPE_SOLID
+#elif !$SHAPE_SOLID && !$SHAPE_RAY_COVER
 void hide$Shape(int index, ShadowQuery query, LightCone cone, inout Shade shade) {
     bool own = query.ray.self == k$ShapeFirst + index;
     $Shape shape = load$Shape(k$ShapeBase + index * k$ShapeTexels);

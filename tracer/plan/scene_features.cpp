@@ -16,7 +16,8 @@ std::string KindCount::type() const { return glslTypeOf(kind) + (solid ? std::to
 
 int KindCount::texels() const {
     if (solid) return texelsOf(*solid);
-    return texelsOf(kind) + (kind == ShapeKind::SmoothTriangle ? kCornerTexels : 0);
+    const bool more = kind == ShapeKind::SmoothTriangle || kind == ShapeKind::HeightPatch;
+    return texelsOf(kind) + (more ? kNetTexels : 0);
 }
 
 bool KindCount::operator==(const KindCount& other) const {

@@ -153,7 +153,7 @@ void ScenePacker::packShapes(glm::dvec3 eye) {
             } else {
                 appendShape(drawnAs(kind.kind, shape, eye), texels_);
                 if (isTriangle(kind.kind)) setMiddle(middle, texels_);
-                if (shape.corners) appendCorners(*shape.corners, texels_);
+                appendNet(shape, texels_);
             }
         }
 }

@@ -71,10 +71,15 @@ ShapeTexels packedShape(const Shape& shape) {
     return texels;
 }
 
-void appendCorners(const Corners& corners, std::vector<glm::vec4>& out) {
-    const auto& uv = corners.uv;
-    for (std::size_t i = 0; i < 3; ++i) out.emplace_back(glm::vec3(corners.normals[i]), float(uv[i].x));
-    out.emplace_back(float(uv[0].y), float(uv[1].y), float(uv[2].y), 0.0f);
+void appendNet(const Shape& shape, std::vector<glm::vec4>& out) {
+    if (const auto& corners = shape.corners) {
+        const auto& uv = corners->uv;
+        for (std::size_t i = 0; i < 3; ++i) out.emplace_back(glm::vec3(corners->normals[i]), float(uv[i].x));
+        out.emplace_back(float(uv[0].y), float(uv[1].y), float(uv[2].y), 0.0f);
+    }
+    if (const auto& heights = shape.heights)
+        for (std::size_t row = 0; row < 16; row += 4)
+            out.emplace_back(glm::dvec4((*heights)[row], (*heights)[row + 1], (*heights)[row + 2], (*heights)[row + 3]));
 }
 
 void appendShape(const Shape& shape, std::vector<glm::vec4>& out) {

@@ -27,9 +27,10 @@ int texelsOf(ShapeKind);
 /// The texels of a shape; zeros follow them.
 ShapeTexels packedShape(const Shape&);
 
-/// What the corners of a smooth triangle add to the texels of its geometry: three normals, with u beside them, and v.
-inline constexpr int kCornerTexels = 4;
-void appendCorners(const Corners&, std::vector<glm::vec4>&);
+/// What follows the texels of its geometry. Of a smooth triangle: three normals, with u beside them, and v; of a height
+/// patch the rows of its net.
+inline constexpr int kNetTexels = 4;
+void appendNet(const Shape&, std::vector<glm::vec4>&);
 
 /// Appends its texels.
 void appendShape(const Shape&, std::vector<glm::vec4>&);

@@ -64,6 +64,18 @@ Transformed boxOf(const Shape& box, const glm::dmat3& linear, glm::dvec3 center)
     return box.kind == ShapeKind::Box ? simplest(result) : result;
 }
 
+Transformed heightPatchOf(const Shape& patch, const Affine& map) {
+    glm::dmat3 linear = map.linear * axesOf(pointOf(patch, "rotate"));
+    for (int i = 0; i < 3; ++i) linear[i] *= pointOf(patch, "size")[i];
+    if (!across(linear[0], linear[1]) || !across(linear[1], linear[2]) || !across(linear[2], linear[0]))
+        return Complaint{"a patch of heights that is rotated, then scaled unevenly is none any more",
+                         "scale it before it is rotated"};
+    Shape result = makeShape(ShapeKind::HeightPatch,
+                             {map(pointOf(patch, "center")), lengthsOf(linear), rotationOf(linear)});
+    result.heights = patch.heights;
+    return result;
+}
+
 glm::dvec3 anyAcross(glm::dvec3 axis) {
     const glm::dvec3 other = std::abs(axis.x) < 0.9 * glm::length(axis) ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     return glm::normalize(glm::cross(axis, other));
@@ -146,6 +158,7 @@ Transformed mapped(const Shape& shape, const Affine& map) {
         for (int i = 0; i < 3; ++i) linear[i] *= pointOf(shape, "half_size")[i];
         return boxOf(shape, linear, map(pointOf(shape, "center")));
     }
+    case ShapeKind::HeightPatch: return heightPatchOf(shape, map);
     case ShapeKind::Cylinder:
     case ShapeKind::Capsule:
     case ShapeKind::Cone: return axialOf(shape, map);

@@ -330,6 +330,12 @@ bool ObjectReader::read(std::string_view key, std::array<glm::dvec3, 3>& target)
     return right;
 }
 
+bool ObjectReader::read(std::string_view key, std::array<double, 16>& target) const {
+    const JsonValue* value = value_->find(key);
+    const char* example = "write four rows of four numbers in one list";
+    return value && checkNumbers({*value, pathOf(key), *report_}, format_->find(key)->range, 16, example, target.data());
+}
+
 std::optional<ObjectReader> ObjectReader::object(std::string_view key) const {
     const JsonValue* value = value_->find(key);
     if (!value) return std::nullopt;

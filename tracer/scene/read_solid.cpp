@@ -1,6 +1,7 @@
 #include "tracer/scene/read_solid.h"
 
 #include "tracer/scene/affine.h"
+#include "tracer/scene/read_patch.h"
 #include "tracer/scene/rotation.h"
 #include "tracer/scene/solid.h"
 
@@ -196,6 +197,7 @@ Complaint complaintOf(const SolidNode& node) {
 }
 
 Shape readShape(const ObjectReader& object, SceneReport& report) {
+    if (const auto patch = object.object("patch")) return readPatch(*patch, report);
     const SolidNode node = readNode(object, report);
     const bool analytic = node.op == SolidOp::Shape && node.shape.kind != ShapeKind::Mandelbulb;
     if (analytic || !object.sound() || !complete(node)) return node.shape;

@@ -39,6 +39,7 @@ constexpr Range kDegrees{-360, 360};
 constexpr Range kScale{1e-3, 1e3};
 constexpr Range kPeriod{0, 1e6};
 constexpr Range kCopies{1, 1000, true};
+constexpr Range kSeed{0, 4294967295, true};
 constexpr Range kLights{0, 16};
 constexpr Range kMaterials{0, 256};
 
@@ -340,9 +341,21 @@ const ObjectFormat& meshFormat() {
     return format;
 }
 
+const ObjectFormat& patchFormat() {
+    static const ObjectFormat format{
+        "A bicubic Bézier surface over a rectangle: at (u, v) x = center.x + (u - 1/2) size.x, y = center.y + height "
+        "size.y, z = center.z + (v - 1/2) size.z",
+        {{"heights", Numbers, kCoordinate, "Of its net of 4 x 4 control points, row by row along u"},
+         {"random", Number, kSeed, "A seed: random heights, each of which moves the surface by at most 1"},
+         {"center", Vector, kCoordinate, "Where the middle of the rectangle lies at height 0; default [0, 0, 0]"},
+         {"size", Scales, kLength, "Factors of all lengths, or [x, y, z]; default 1"}},
+        {{"net", {"heights", "random"}, true}}};
+    return format;
+}
+
 /// An object refers to itself within groups, so the schema needs its name.
 const ObjectFormat& objectFormat() {
-    static ObjectFormat format{"One shape, solid, group, instance or mesh, with its material", {}, {}, "object"};
+    static ObjectFormat format{"One shape, solid, surface, group, instance or mesh, with its material", {}, {}, "object"};
     static bool complete = false;
     if (complete) return format;
     complete = true;
@@ -351,6 +364,7 @@ const ObjectFormat& objectFormat() {
              FieldFormat{"group", Object, kAny, "Objects moved together", false, &groupFormat()},
              FieldFormat{"instance", Object, kAny, "What \"definitions\" has under a name", false, &instanceFormat()},
              FieldFormat{"mesh", Object, kAny, "Triangles from a file", false, &meshFormat()},
+             FieldFormat{"patch", Object, kAny, "A bicubic Bézier surface", false, &patchFormat()},
          }) {
         format.fields.push_back(field);
         format.alternatives.front().keys.push_back(field.key);

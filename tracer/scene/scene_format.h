@@ -20,6 +20,7 @@ enum class ValueType {
     Color,     ///< one number or [r, g, b]
     Colors,    ///< two of these
     Vertices,  ///< three [x, y, z]
+    Numbers,   ///< sixteen
     Text,      ///< `range` characters
     Image,     ///< an image's name: a file in the scene's folder or below; `range` characters
     Panorama,  ///< the same, which may hold light beyond white

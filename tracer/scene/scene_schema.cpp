@@ -70,6 +70,7 @@ Json valueSchema(const FieldFormat& field) {
     case ValueType::Color: return either(number, tupleSchema(number, 3));
     case ValueType::Colors: return tupleSchema(either(number, tupleSchema(number, 3)), 2);
     case ValueType::Vertices: return tupleSchema(tupleSchema(number, 3), 3);
+    case ValueType::Numbers: return tupleSchema(number, 16);
     case ValueType::Text: return textSchema(field.range);
     case ValueType::Image:
     case ValueType::Panorama: return imageSchema(field.type);

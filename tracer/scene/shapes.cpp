@@ -61,6 +61,20 @@ Complaint checkEllipsoid(const Shape& shape) {
             "use a disc, or radii that differ less"};
 }
 
+/// Longer ones leave the rays that meet them no digits.
+Complaint checkHeightPatch(const Shape& shape) {
+    constexpr double kMostRatio = 1e4;
+    const glm::dvec3 size = pointOf(shape, "size");
+    const double longest = std::max({size.x, size.y, size.z}), shortest = std::min(size.x, size.z);
+    constexpr double kLongest = 1e6;
+    if (size.y > kLongest)
+        return {"its heights span " + toString(size.y), "keep them within " + toString(kLongest)};
+    if (longest <= kMostRatio * shortest) return {};
+    return {"its longest side, " + toString(longest) + ", is over " + toString(kMostRatio) +
+                " times the shorter side of its rectangle, " + toString(shortest),
+            "use sizes and heights that differ less"};
+}
+
 Extent about(glm::dvec3 center, glm::dvec3 reach) { return {center - reach, center + reach}; }
 Extent hull(const Extent& a, const Extent& b) { return {glm::min(a.low, b.low), glm::max(a.high, b.high)}; }
 
@@ -99,13 +113,15 @@ Extent ellipsoidExtent(const Shape& s) {
     return about(pointOf(s, "center"), lengthsOfRows(axesOf(pointOf(s, "rotate")), pointOf(s, "radii")));
 }
 
-Extent rotatedBoxExtent(const Shape& s) {
+Extent rotatedExtent(const Shape& s, glm::dvec3 half) {
     const glm::dmat3 axes = axesOf(pointOf(s, "rotate"));
-    const glm::dvec3 half = pointOf(s, "half_size");
     glm::dvec3 reach{0};
     for (int i = 0; i < 3; ++i) reach += glm::abs(axes[i] * half[i]);
     return about(pointOf(s, "center"), reach);
 }
+
+Extent rotatedBoxExtent(const Shape& s) { return rotatedExtent(s, pointOf(s, "half_size")); }
+Extent heightPatchExtent(const Shape& s) { return rotatedExtent(s, 0.5 * pointOf(s, "size")); }
 
 Extent cylinderExtent(const Shape& s) {
     const glm::dvec3 from = pointOf(s, "from"), to = pointOf(s, "to");
@@ -199,6 +215,11 @@ constexpr ShapeRow kRows[] = {
     {ShapeKind::SmoothTriangle, "smooth_triangle",
      {{"vertices", Vertices, "Three points a, b, c; the outside is where cross(b - a, c - a) points"}},
      checkTriangle, triangleExtent, true},
+    {ShapeKind::HeightPatch, "height_patch",
+     {{"center", Point, "Middle of the box about it"},
+      {"size", Lengths, "Sides of that box before it is rotated"},
+      {"rotate", Rotation, "Of the box"}},
+     checkHeightPatch, heightPatchExtent, false, true},
     {ShapeKind::Solid, "solid",
      {{"center", Point, "Centre of its bounding sphere"},
       {"radius", Length, "Radius of that sphere"}},
@@ -321,6 +342,10 @@ double inFloat(double x) {
 
 Shape inFloat(Shape shape) {
     for (double& value : shape.values) value = inFloat(value);
+    if (!shape.heights) return shape;
+    Heights heights = *shape.heights;
+    for (double& height : heights) height = inFloat(height);
+    shape.heights = std::make_shared<const Heights>(heights);
     return shape;
 }
 

@@ -5,6 +5,8 @@
 /// shapes.cpp and one file shaders/primitive/KEY.glsl; a kind without its row does not compile.
 #pragma once
 
+#include "tracer/scene/height_patch.h"
+
 #include <glm/glm.hpp>
 
 #include <array>
@@ -17,8 +19,8 @@
 namespace gnomon {
 
 /// Those that scene files name, then those that only drawing knows: a huge sphere as a large sphere; a box along axes
-/// of its own; a triangle whose corners have normals and image coordinates; several shapes, and a Mandelbulb, which has
-/// only a distance, as a solid.
+/// of its own; a triangle whose corners have normals and image coordinates; a surface over a rectangle, which files call
+/// a patch; several shapes, and a Mandelbulb, which has only a distance, as a solid.
 enum class ShapeKind {
     Sphere,
     Plane,
@@ -34,6 +36,7 @@ enum class ShapeKind {
     LargeSphere,
     RotatedBox,
     SmoothTriangle,
+    HeightPatch,
     Solid
 };
 inline constexpr int kShapeKinds = int(ShapeKind::Solid) + 1;
@@ -124,6 +127,7 @@ struct Shape {
     std::shared_ptr<const Solid> solid{};     ///< of a solid; its values are relative to `home`
     glm::dvec3 home{0};                       ///< where the middle of a solid rests
     std::shared_ptr<const Corners> corners{}; ///< of a smooth triangle
+    std::shared_ptr<const Heights> heights{}; ///< of a height patch, over the box's height: from -1/2 to 1/2
 };
 
 /// Vectors and scalars as the table has them, each in its order.

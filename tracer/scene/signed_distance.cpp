@@ -149,7 +149,8 @@ double fieldOf(const SolidNode& node, glm::dvec3 p) {
 } // namespace
 
 bool boundsBody(ShapeKind kind) {
-    return kind != ShapeKind::Disc && kind != ShapeKind::Triangle && kind != ShapeKind::SmoothTriangle;
+    return kind != ShapeKind::Disc && kind != ShapeKind::Triangle && kind != ShapeKind::SmoothTriangle &&
+           kind != ShapeKind::HeightPatch;
 }
 
 double signedDistance(const Shape& shape, glm::dvec3 p) {
@@ -171,6 +172,7 @@ double signedDistance(const Shape& shape, glm::dvec3 p) {
     case ShapeKind::Disc: return discDistance(shape, p);
     case ShapeKind::Triangle:
     case ShapeKind::SmoothTriangle: return triangleDistance(shape, p);
+    case ShapeKind::HeightPatch: // is no part of a solid and bounds no body
     case ShapeKind::LargeSphere: break; // that is only how a sphere is drawn
     }
     return kInfinity;

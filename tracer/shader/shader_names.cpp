@@ -50,7 +50,10 @@ void addShape(const KindCount& kind, Names& names) {
     names.values[type + "_BOUNDED"] = shapeRow(kind.kind).extent != nullptr;
     names.values[type + "_SOLID"] = kind.solid != nullptr;
     names.values[type + "_ESTIMATED"] = estimates;
-    names.values["ESTIMATED_CASTERS"] |= int(kind.casters > 0 && estimates);
+    // Silhouettes have no cover of its outline.
+    const bool rayCover = estimates || kind.kind == ShapeKind::HeightPatch;
+    names.values[type + "_RAY_COVER"] = rayCover;
+    names.values["RAY_COVERED_CASTERS"] |= int(kind.casters > 0 && rayCover);
     names.values["MARCHED_CASTERS"] |= int(kind.casters > 0 && kind.solid && !estimates);
 }
 
@@ -130,7 +133,7 @@ Names namesOf(const Plan& plan) {
     names.values["TRIANGLES"] = has(ShapeKind::Triangle);
     names.values["SMOOTH"] = has(ShapeKind::SmoothTriangle);
     // Of any kind: none in a program that is left with no kind to ask.
-    for (const char* name : {"SEARCHES", "LATTICES", "UNIFORM_GRIDS", "HIERARCHIES", "ESTIMATED_CASTERS",
+    for (const char* name : {"SEARCHES", "LATTICES", "UNIFORM_GRIDS", "HIERARCHIES", "RAY_COVERED_CASTERS",
                              "MARCHED_CASTERS", "SPHERE_LATTICES", "NEARBY"})
         names.values[name] = 0;
     // Solids have shapes for parts that the scene has no object of.

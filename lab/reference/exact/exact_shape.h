@@ -74,6 +74,7 @@ class ExactShape {
         case ShapeKind::Disc:
         case ShapeKind::Triangle:
         case ShapeKind::SmoothTriangle: return dot(p, axis_);
+        case ShapeKind::HeightPatch: // patch_distance.h
         case ShapeKind::LargeSphere: // to its scene it is a sphere
         case ShapeKind::Mandelbulb:  // told by their distance fields only (solid.h)
         case ShapeKind::Solid: break;
@@ -164,6 +165,7 @@ class ExactShape {
         case ShapeKind::Box:
         case ShapeKind::RotatedBox: return size_;
         case ShapeKind::Ellipsoid: return std::min<R>(size_, ellipsoidBend(alongAxes(p)));
+        case ShapeKind::HeightPatch:
         case ShapeKind::LargeSphere:
         case ShapeKind::Mandelbulb:
         case ShapeKind::Solid: break;
@@ -224,6 +226,7 @@ class ExactShape {
             radius_ = scalar("radius");
             break;
         }
+        case ShapeKind::HeightPatch:
         case ShapeKind::LargeSphere:
         case ShapeKind::Mandelbulb:
         case ShapeKind::Solid: noAnswer();
@@ -354,6 +357,7 @@ class ExactShape {
         case ShapeKind::SmoothTriangle:
             return std::max<R>(length(vertices_[0]), std::max<R>(length(vertices_[1]), length(vertices_[2])));
         case ShapeKind::Plane: return R(1);
+        case ShapeKind::HeightPatch:
         case ShapeKind::LargeSphere:
         case ShapeKind::Mandelbulb:
         case ShapeKind::Solid: break;
