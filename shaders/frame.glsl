@@ -18,6 +18,7 @@
 // samples        of a light
 // firstSample    of those in their sequence: a picture of many samples is drawn in batches
 // repeats        of each answer in the batch passes (intersect, light), 1 unless they are timed
+// fieldSteps, fieldEpsilon, fieldRelaxation  of rays through fields (field/march.glsl)
 layout(std140) uniform Frame {
     vec4 eye;
     vec4 right;
@@ -40,4 +41,7 @@ layout(std140) uniform Frame {
     int samples;
     int firstSample;
     int repeats;
+    int fieldSteps;
+    float fieldEpsilon;
+    float fieldRelaxation;
 } frame;

@@ -1,7 +1,6 @@
-// The WebGL2 context on the page's canvas: made once, lost and given back by the browser whenever it likes.
+// The WebGL2 context on a canvas of the page: made once, lost and given back by the browser whenever it likes.
 #include "tracer/gl/generation.h"
 #include "tracer/gl/gl.h"
-#include "web/bench_host.h"
 #include "web/host.h"
 
 #include <emscripten/html5.h>
@@ -42,13 +41,12 @@ EMSCRIPTEN_KEEPALIVE int createContext(const char* canvas) {
 
 EMSCRIPTEN_KEEPALIVE void contextLost() {
     gl::contextLost();
-    benchLost();
+    onContextLost();
 }
 
 EMSCRIPTEN_KEEPALIVE void contextRestored() {
     enableExtensions();
-    host.viewer->contextRestored();
-    benchRestored();
+    onContextRestored();
 }
 
 /// GL objects that are alive: flat from one lost context to the next.

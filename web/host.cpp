@@ -3,15 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 
-Host host;
-
-gnomon::SceneFiles givenFiles() {
-    return [](const std::string& path, gnomon::Problems&) {
-        const auto file = host.files.find(path);
-        return file == host.files.end() ? std::nullopt : std::optional(file->second);
-    };
-}
-
 const char* give(std::string text) {
     static std::string answer;
     answer = std::move(text);

@@ -1,19 +1,18 @@
-/// What the page's exports share: the viewer, and the ways in which texts and pixels go out.
+/// What the page's two modules share, the viewer (gnomon.wasm) and the laboratory (gnomon-lab.wasm): the context, the
+/// files that scenes name, and the ways in which texts and pixels go out.
 ///
 /// Text goes in and out as UTF-8. A `const char*` that comes out stays valid until the next call; where it tells of
-/// problems, empty means that there are none. The page owns events, time and loading; what they mean is decided in
-/// Viewer. page/tracer.js and page/compare_calls.js are the JavaScript side of the exports.
+/// problems, empty means that there are none. The JavaScript side of the exports is page/module.js for those that both
+/// have, page/tracer.js for the viewer's and page/lab_calls.js for the laboratory's.
 #pragma once
 
+#include "tracer/image.h"
 #include "tracer/problem.h"
-#include "tracer/render/viewer.h"
 #include "tracer/scene/read_scene.h"
 
 #include <emscripten.h>
 
 #include <cstdint>
-#include <map>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,14 +20,11 @@
 #include <utility>
 #include <vector>
 
-struct Host {
-    std::unique_ptr<gnomon::Viewer> viewer;
-    gnomon::Problems problems;                ///< of frames, until the page takes them
-    std::map<std::string, std::string> files; ///< by path; kept, each the latest of its path
-};
-extern Host host;
+/// What each module does once the browser has taken the context, and once it has given it back.
+void onContextLost();
+void onContextRestored();
 
-/// Files that scenes name, as the page has fetched them.
+/// Files that scenes name, as the page has fetched them: see giveFile().
 gnomon::SceneFiles givenFiles();
 
 /// Hands text out.

@@ -1,4 +1,4 @@
-// What the laboratory measures for page/tracer.js in this browser's GL, beside the viewer's picture.
+// What the laboratory measures for page/lab.js of this browser's GL.
 #include "lab/batch/numerics_self_test.h"
 #include "lab/batch/ray_batch.h"
 #include "tracer/gl/gl.h"

@@ -2,7 +2,7 @@
 #include "tracer/gl/gl.h"
 #include "tracer/gl/read_top_down.h"
 #include "tracer/image.h"
-#include "web/host.h"
+#include "web/viewer_host.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // The shader program for page/tracer.js: how far it is, what it cost, its text, and files of the page's own in place of
 // the library's.
 #include "tracer/shader/library.h"
-#include "web/host.h"
+#include "web/viewer_host.h"
 
 #include <algorithm>
 #include <iterator>

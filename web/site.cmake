@@ -58,7 +58,7 @@ if(failed)
   message(FATAL_ERROR "the page's modules cannot be minified: scripts/setup web installs terser")
 endif()
 mirror(${SOURCE}/assets/textures ${SITE}/assets/textures *.png *.jpg *.jpeg *.hdr)
-mirror(${SOURCE}/assets/scenes ${SITE}/assets/scenes *.json *.obj)
+mirror(${SOURCE}/assets/scenes ${SITE}/assets/scenes *.json *.obj *.bpt)
 file(REMOVE ${SITE}/assets/scenes/scene.schema.json)
 index_scenes(${SITE}/assets/scenes)
 

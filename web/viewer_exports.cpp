@@ -3,7 +3,7 @@
 #include "tracer/image_header.h"
 #include "tracer/scene/read_scene.h"
 #include "tracer/settings/settings.h"
-#include "web/host.h"
+#include "web/viewer_host.h"
 
 #include <cstdint>
 #include <optional>
@@ -14,6 +14,11 @@ EM_JS(void, reportToPage, (const char* text), { Module['report'](UTF8ToString(te
 // clang-format on
 
 using namespace gnomon;
+
+ViewerHost host;
+
+void onContextLost() {}
+void onContextRestored() { host.viewer->contextRestored(); }
 
 extern "C" {
 
@@ -29,13 +34,6 @@ EMSCRIPTEN_KEEPALIVE const char* createViewer(const char* lines, const char* sou
 
 // --- scene and images ---
 
-/// Paths of the files that a scene's text names, one a line: what giveFile() is to give before the scene is taken.
-EMSCRIPTEN_KEEPALIVE const char* sceneFiles(const char* text) { return give(inLines(filesOf(text))); }
-
-EMSCRIPTEN_KEEPALIVE void giveFile(const char* path, const char* bytes, int size) {
-    host.files[path].assign(bytes, std::size_t(size));
-}
-
 /// Takes a scene file's text. With problems the old scene stays.
 EMSCRIPTEN_KEEPALIVE const char* loadScene(const char* text, const char* name) {
     Problems problems;
@@ -49,13 +47,6 @@ EMSCRIPTEN_KEEPALIVE const char* loadScene(const char* text, const char* name) {
 
 /// Names of the images of the scene in view, one a line.
 EMSCRIPTEN_KEEPALIVE const char* imageNames() { return give(inLines(imagesOf(host.viewer->scene()))); }
-
-/// Problems of a file that the browser is to decode.
-EMSCRIPTEN_KEEPALIVE const char* measureImageFile(const char* name, const std::uint8_t* bytes, int size) {
-    Problems problems;
-    measureImage(name, {bytes, std::size_t(size)}, problems);
-    return give(toString(problems));
-}
 
 /// Takes a file's bytes, or texels where there is a width.
 EMSCRIPTEN_KEEPALIVE const char* giveImage(const char* name, const std::uint8_t* bytes, int size, int width) {

@@ -3,6 +3,7 @@
 #include "tracer/gl/objects.h"
 #include "tracer/plan/scene_packer.h"
 #include "tracer/render/frame_uniforms.h"
+#include "tracer/render/scene_fields.h"
 #include "tracer/render/scene_numbers.h"
 #include "tracer/shader/program_cache.h"
 #include "tracer/shader/shader_builder.h"
@@ -38,6 +39,8 @@ struct Batch::Impl {
     gl::VertexArray vertexArray = gl::makeVertexArray();
     gl::Buffer frame = gl::makeUniformBuffer();
     SceneNumbers scene;
+    std::optional<SceneFields> fields;
+    ProgramCache bakes{false};
     std::vector<gl::Texture> inputs, outputs;
     gl::Framebuffer target;
     std::size_t pixels = 0; ///< uploaded
@@ -65,6 +68,18 @@ struct Batch::Impl {
         glBufferData(GL_UNIFORM_BUFFER, sizeof uniforms, &uniforms, GL_DYNAMIC_DRAW);
     }
 
+    /// Bakes all that programs of the plan read, and tells where it lies.
+    FieldLayout bake(const PreparedScenePtr& prepared, const Plan& plan, Problems& problems) {
+        fields.reset();
+        if (!plan.scene.fields) return {};
+        fields.emplace(prepared);
+        fields->want(pass.settings, gl::info(), problems);
+        FieldLayout layout;
+        while (fields->baked() < 1 && !fields->failed())
+            if (auto baked = fields->step(bakes, plan.target, problems)) layout = std::move(*baked);
+        return layout;
+    }
+
     void compile(const Plan& plan, const ShaderSource& made, Problems& problems) {
         program = gl::Program(buildCanvas(plan, problems).text, made.text);
         if (!program.linked()) {
@@ -77,6 +92,7 @@ struct Batch::Impl {
         program.bindBlock("Frame", kFrameBinding);
         program.bindBlock("SceneBlock", kSceneBinding);
         program.bindSampler("sceneData", kDataUnit);
+        program.bindSampler("fields", kFieldUnit);
         for (std::size_t i = 0; i < pass.inputs.size(); ++i) program.bindSampler(pass.inputs[i], kInputUnit + GLint(i));
     }
 };
@@ -102,14 +118,17 @@ std::unique_ptr<Batch> Batch::make(const BatchPass& pass, const Scene& scene, Pr
 bool Batch::setScene(const Scene& scene, Problems& problems) {
     const Settings& settings = impl_->pass.settings;
     const PreparedScenePtr prepared = prepare(scene);
-    Plan plan = planOf(*prepared, settings, {.es300 = gl::info().essl300});
+    const gl::Info info = gl::info();
+    Plan plan = planOf(*prepared, settings, {.es300 = info.essl300, .floatFilter = info.floatFilter});
     plan.scene.distances |= impl_->pass.distances;
+    plan.scene.fields |= impl_->pass.distances && hasSurfaces(scene);
     Problems faults;
     const ShaderSource made = buildShader(impl_->pass.file, plan, faults, impl_->overrides);
     if (faults.empty() && made.text != impl_->source) impl_->compile(plan, made, faults);
+    const FieldLayout fields = impl_->bake(prepared, plan, faults);
     problems.insert(problems.end(), faults.begin(), faults.end());
     if (!faults.empty()) return false;
-    impl_->scene.upload(packScene(prepared, plan, settings.time), plan.scene.dataBlock);
+    impl_->scene.upload(packScene(prepared, plan, settings.time, fields), plan.scene.dataBlock);
     return true;
 }
 
@@ -132,6 +151,7 @@ void Batch::draw(int repeats) {
     glUseProgram(impl_->program.get());
     glBindBufferBase(GL_UNIFORM_BUFFER, kFrameBinding, impl_->frame.get());
     impl_->scene.bind();
+    if (impl_->fields) impl_->fields->bind();
     glBindFramebuffer(GL_FRAMEBUFFER, impl_->target.get());
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_BLEND);

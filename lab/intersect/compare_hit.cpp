@@ -23,7 +23,7 @@ bool strays(const ExactShape<double>& shape, const Line<double>& line, double me
 bool leavesSurface(const ExactShape<double>& shape, const Line<double>& line, double met, double s, double slack) {
     const int steps = 32;
     for (int i = 0; i <= steps; ++i)
-        if (!(std::abs(shape.distance(line.at(met + (s - met) * i / steps))) <= slack)) return true;
+        if (!shape.nearSurface(line.at(met + (s - met) * i / steps), slack)) return true;
     return false;
 }
 
@@ -41,7 +41,8 @@ Bounds boundsOf(ShapeKind kind) {
     case ShapeKind::Plane: return {0x1p-22, 4, 2, 1};
     case ShapeKind::Triangle:
     case ShapeKind::SmoothTriangle: return {0x1p-22, 1.5, 2, 1};
-    case ShapeKind::HeightPatch: return {0x1p-21, 2, 2, 4};
+    case ShapeKind::HeightPatch: return {0x1p-20, 2, 2, 4};
+    case ShapeKind::SpacePatch:  // tests/shader/space_patch_test.cpp
     case ShapeKind::LargeSphere: // tests/shader/large_sphere_test.cpp
     case ShapeKind::Mandelbulb:  // have no intersector
     case ShapeKind::Solid: break;
@@ -86,18 +87,20 @@ Verdict compareHit(const ExactShape<double>& shape, const Line<double>& line, co
     verdict.elsewhere = got && (answer.object != 0 || !numbers);
     if (!verdict.hit || verdict.elsewhere) return verdict;
     const double s = line.local(answer.t), slack = 4 * ulp(scale.distance);
-    const bool otherSheet = shape.closed() && leavesSurface(shape, line, exact.s, s, slack);
+    const bool otherSheet = !shape.flat() && leavesSurface(shape, line, exact.s, s, slack);
     // The ray is known to the band across itself, the surface to some roundings; and a point that is the nearest of the
     // surface to o + t d is where t, rounded, has it.
     double known = band + 4 * scale.rounding + bounds.ray * ulp(scale.distance);
     // A triangle's is of weights, quotients of areas as the eye sees them.
     if (shape.triangle()) known /= std::abs(dot(line.d, shape.axis()));
+    // A patch's is that of its surface above or below o + t d.
+    if (shape.kind() == ShapeKind::HeightPatch) known /= dot(shape.normal(p), shape.axis());
     const bool otherPoint = strays(shape, line, exact.s, p, known);
     verdict.elsewhere = verdict.decided && (otherSheet || otherPoint);
     verdict.t = std::abs(double(Wide<double>(answer.t) - exact.t)) / ulp(scale.distance);
     verdict.ray = std::abs(shape.distance(line.at(s))) / ulp(scale.distance);
     verdict.point = std::abs(shape.distance(p)) / scale.rounding;
-    if (!shape.closed() || shape.toEdge(p) > 1e-5 * shape.size() + 4 * scale.rounding)
+    if (shape.flat() || shape.toEdge(p) > 1e-5 * shape.size() + 4 * scale.rounding)
         verdict.normal = length(Vec3<double>(answer.normal) - shape.normal(p)) * scale.bend / scale.rounding;
     return verdict;
 }

@@ -24,7 +24,7 @@ class ShapeObject : public ExactObject {
 
     Meeting meeting(const BatchRay& ray, const RayStart& start) const override {
         Meeting meeting;
-        if (start.side != 0 && !shape_.closed()) return meeting; // a plane is met once
+        if (start.side != 0 && shape_.flat()) return meeting; // it is met once
         meeting.line = lineOf(shape_, ray.origin, ray.direction);
         const double from = start.side != 0 ? clear(meeting.line) : start.tMin;
         meeting.exact = exactHit(shape_, meeting.line, from);
@@ -57,7 +57,7 @@ class ShapeObject : public ExactObject {
 
     bool startDecided(const Meeting& meeting, const RayStart& start, double from, double least) const {
         const Line<double>& line = meeting.line;
-        if (!shape_.closed()) return !meeting.exact.hit || meeting.exact.s - line.start > 2 * start.tMin;
+        if (shape_.flat()) return !meeting.exact.hit || meeting.exact.s - line.start > 2 * start.tMin;
         const double atStart = std::abs(shape_.distance(line.at(line.start + from)));
         if (start.side == 0) return atStart > least;
         // Two faces at once, or the tip of a cone: what is between is thinner than the start is uncertain.
@@ -73,7 +73,7 @@ class ShapeObject : public ExactObject {
         const double s = meeting.exact.s;
         const auto stays = [&](double way) {
             for (const double side : {1.0, -1.0})
-                if (std::abs(shape_.distance(meeting.line.at(s + side * way))) <= slack) return true;
+                if (shape_.nearSurface(meeting.line.at(s + side * way), slack)) return true;
             return false;
         };
         double way = slack;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <ostream>
 
 namespace gnomon::oracle {
@@ -45,6 +46,16 @@ Vec lateral(Vec v, int axis) {
     return v;
 }
 
+/// Random heights that fill a box, as a scene file's patch is kept.
+Shape patch(unsigned seed, glm::dvec3 size) {
+    Heights heights = randomHeights(seed);
+    const auto [least, most] = heightRange(heights);
+    for (double& height : heights) height = (height - 0.5 * (least + most)) / (most - least);
+    Shape shape = makeShape(ShapeKind::HeightPatch, {{0, 0, 0}, size, {0, 0, 0}});
+    shape.heights = std::make_shared<const Heights>(heights);
+    return inFloat(shape);
+}
+
 } // namespace
 
 std::ostream& operator<<(std::ostream& out, const Subject& subject) { return out << subject.name(); }
@@ -74,6 +85,14 @@ const std::vector<Subject>& subjects() {
         {"capsule", "fat", makeShape(Capsule, {{0, 0, -0.25}, {0, 0, 0.25}}, {1})},
         {"cone", "thin", makeShape(Cone, {{0, 0, -1}, {0, 0, 1}}, {kThin})},
         {"cone", "fat", makeShape(Cone, {{0, 0, -0.25}, {0, 0, 0.25}}, {1})},
+    };
+    return all;
+}
+
+const std::vector<Subject>& patches() {
+    static const std::vector<Subject> all{
+        {"height_patch", "gentle", patch(3, {1.5, 0.375, 1.25})},
+        {"height_patch", "steep", patch(5, {0.5, 2, 0.5})},
     };
     return all;
 }
@@ -208,11 +227,29 @@ RayStream::Spot RayStream::surface() {
         const Vec a = shape_.vertex(i), b = shape_.vertex((i + 1) % 3);
         return {a + number(0, 1) * (b - a), unit(cross(b - a, shape_.axis()))};
     }
+    if (shape_.kind() == ShapeKind::HeightPatch) {
+        const PatchSurface<double>& patch = shape_.patch();
+        const double x = patch.size().x * number(-0.5, 0.5), z = patch.size().z * number(-0.5, 0.5);
+        const Vec p(x, patch.at(x, z).y, z);
+        return {shape_.fromAxes(p), shape_.fromAxes(patch.normal(p))};
+    }
     // The distance leads any point onto the surface, and to the normals of all that lies about an edge.
     Vec p = size * std::cbrt(number(0, 1)) * direction();
     const Vec normal = shape_.normal(p);
     for (int i = 0; i < 3; ++i) p = p - shape_.distance(p) * shape_.normal(p);
     return {p, shape_.distance(p + 1e-6 * size * normal) > 0 ? normal : shape_.normal(p)};
+}
+
+RayStream::Spot RayStream::rim() {
+    const PatchSurface<double>& patch = shape_.patch();
+    const bool alongX = number(0, 1) < 0.5;
+    const double side = number(0, 1) < 0.5 ? -1 : 1, along = number(-0.5, 0.5);
+    const double x = patch.size().x * (alongX ? along : side / 2), z = patch.size().z * (alongX ? side / 2 : along);
+    const auto jet = patch.at(x, z);
+    const Vec p(x, jet.y, z), way = alongX ? Vec(1, jet.x, 0) : Vec(0, jet.z, 1);
+    const Vec away = unit(cross(way, patch.normal(p)));
+    const bool inward = (alongX ? away.z : away.x) * side < 0;
+    return {shape_.fromAxes(p), shape_.fromAxes(inward ? -away : away)};
 }
 
 BatchRay RayStream::uniform() {
@@ -222,17 +259,18 @@ BatchRay RayStream::uniform() {
 
 BatchRay RayStream::towardsSurface() {
     const Vec spot = surface().point;
-    return towards(far_ * shape_.size() * direction(), shape_.closed() ? spot : number(0, 1) * spot);
+    return towards(far_ * shape_.size() * direction(), shape_.flat() ? number(0, 1) * spot : spot);
 }
 
 BatchRay RayStream::grazing() {
     const double offset = std::pow(10.0, number(-8, -2)) * (number(0, 1) < 0.5 ? -1 : 1);
-    const Spot spot = surface();
+    const bool rims = shape_.kind() == ShapeKind::HeightPatch && number(0, 1) < 0.3;
+    const Spot spot = rims ? rim() : surface();
     if (shape_.kind() == ShapeKind::Plane) // nearly along it
         return from(far_ * unit(acrossTo(spot.normal) + offset * spot.normal),
                     acrossTo(spot.normal) - offset * spot.normal);
     const Vec target = spot.point + offset * shape_.size() * spot.normal;
-    const Vec along = shape_.closed() ? acrossTo(spot.normal) : direction();
+    const Vec along = shape_.flat() ? direction() : acrossTo(spot.normal);
     return nudged(towards(target - far_ * shape_.size() * along, target), {target, spot.normal});
 }
 

@@ -27,6 +27,9 @@ struct Subject {
 };
 std::ostream& operator<<(std::ostream&, const Subject&);
 const std::vector<Subject>& subjects();
+/// The same of height patches, which have no textbook's formula, no solid and no outline: gentle, and of the source's
+/// random recipe, four times as high as wide.
+const std::vector<Subject>& patches();
 
 /// Nothing but these, as RayBatch takes it.
 Scene sceneOf(const std::vector<Shape>&);
@@ -67,6 +70,8 @@ class RayStream {
     };
     /// Somewhere on the surface; on the rim of a flat shape.
     Spot surface();
+    /// Somewhere on a patch's rim, its normal away from the patch.
+    Spot rim();
 
   private:
     Vec3<double> acrossTo(const Vec3<double>& normal);

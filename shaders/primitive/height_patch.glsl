@@ -2,10 +2,11 @@
 // z = (v - 1/2) size.z, in a box about it that may be rotated. An open surface: what lies above it counts as outside.
 //
 // ballHeightPatch       about the box
+// distanceHeightPatch   gradient and distance, of the baked field; beyond the box from below
 // intersectHeightPatch  nearest t in (ray.tMin, t)
 // surfaceHeightPatch    the point of the surface at the x and z of the hit; uv = (u, v), so that an image's first row
 //                       lies at v = 0
-// Error                 band 2^-21 size, ray 2 ulp, point 2 and normal 4 roundings, as docs/numerics.md names them
+// Error                 band 2^-20 size, ray 2 ulp, point 2 and normal 4 roundings, as docs/numerics.md names them
 //                       (tests/shader/height_patch_test.cpp)
 // Source                along a ray the height above the surface is a polynomial of degree 6. Its Bernstein
 //                       coefficients follow from the part of the net under the ray, by means only, so that nothing
@@ -15,22 +16,91 @@
 //                       rectangle
 #include "primitive/convex.glsl"
 #include "field/height_net.glsl"
+#if FIELDS
+#include "field/field.glsl"
+#endif
+#if SURFACE_IN_FIELD
+#include "field/march.glsl"
+#endif
 
 struct HeightPatch {
     vec3 center;
     vec3 size;
     mat3 axes; // as columns: axes * v rotates v, v * axes rotates it back
     mat4 net;
+#if FIELDS
+    Field field;
+#endif
 };
 
 HeightPatch loadHeightPatch(int at) {
     mat3 axes = mat3(sceneTexel(at + 2).xyz, sceneTexel(at + 3).xyz, sceneTexel(at + 4).xyz);
     mat4 net = mat4(sceneTexel(at + 5), sceneTexel(at + 6), sceneTexel(at + 7), sceneTexel(at + 8));
+#if FIELDS
+    vec3 corner = vec3(sceneTexel(at + 2).w, sceneTexel(at + 3).w, sceneTexel(at + 4).w);
+    vec4 size = sceneTexel(at + 1);
+    Field field = Field(ivec3(corner), int(sceneTexel(at).w), vec3(size.x, size.w, size.z));
+    return HeightPatch(sceneTexel(at).xyz, size.xyz, axes, net, field);
+#else
     return HeightPatch(sceneTexel(at).xyz, sceneTexel(at + 1).xyz, axes, net);
+#endif
 }
 
 vec4 ballHeightPatch(HeightPatch graph) { return vec4(graph.center, 0.5 * length(graph.size)); }
 
+// What a ray sees of it: where it lies in the box, in sizes of it, at s = 0 and along s.
+struct GraphRay {
+    NearRay near;
+    vec3 origin;
+    vec3 direction;
+};
+
+GraphRay seenBy(HeightPatch graph, Ray ray) {
+    NearRay near = recentre(ray.origin, graph.center, ray.direction);
+    return GraphRay(near, (near.origin * graph.axes) / graph.size, (ray.direction * graph.axes) / graph.size);
+}
+
+#if SURFACE_IN_FIELD
+// The height above the surface at a point of the box, and its slope along d, both in sizes of the box.
+vec2 heightAlong(mat4 net, vec3 p, vec3 d) {
+    vec2 uv = clamp(p.xz + 0.5, 0.0, 1.0);
+    vec4 u = bernstein(uv.x) * net, v = bernstein(uv.y);
+    float slope = d.x * dot(bernsteinSlope(uv.x) * net, v) + d.z * dot(u, bernsteinSlope(uv.y));
+    return vec2(p.y - dot(u, v), d.y - slope);
+}
+
+// From where a field has it to where the patch itself is met, by Newton; s as it is where that lies over a voxel away.
+// `falls`: the ray comes from the side that it should.
+float finished(HeightPatch graph, GraphRay seen, float s, float side, float voxel, out bool falls) {
+    float end = s;
+    vec2 above;
+    for (int i = 0; i < 4; ++i) {
+        above = heightAlong(graph.net, seen.origin + end * seen.direction, seen.direction);
+        end -= abs(above.y) > 1e-12 ? clamp(above.x / above.y, -voxel, voxel) : 0.0;
+    }
+    bool stays = abs(end - s) <= voxel;
+    falls = !stays || side * above.y < 0.0;
+    return stays ? end : s;
+}
+
+// Where the ray meets the surface between `from` and `to`; beyond `to` where it does not.
+float metBetween(HeightPatch graph, GraphRay seen, float from, float to, float side) {
+    vec3 o = seen.origin * graph.size, d = seen.direction * graph.size;
+    float voxel = length(voxelSize(graph.field));
+    bool leaves = side != 0.0;
+    if (!leaves) side = fieldAt(graph.field, inVoxels(graph.field, o + from * d)) < 0.0 ? -1.0 : 1.0;
+    float s = from;
+    for (int i = 0; i < 4; ++i) {
+        s = marchField(graph.field, o, d, s, to, side, leaves && i == 0);
+        if (s > to) return s;
+        bool falls;
+        float end = finished(graph, seen, s, side, voxel, falls);
+        if (falls && !(leaves && end <= from)) return end;
+        s += 0.5 * voxel; // the field has the ray's own start a little off, or a sheet that the patch has not
+    }
+    return to + 1.0;
+}
+#else
 // Bernstein coefficients 0 … 3 and 3 … 6 of a polynomial of degree 6 over [0, 1].
 struct Sextic {
     vec4 low;
@@ -118,17 +188,20 @@ float firstFall(Sextic all) {
     return from;
 }
 
-// What a ray sees of it: where it lies in the box, in sizes of it, at s = 0 and along s.
-struct GraphRay {
-    NearRay near;
-    vec3 origin;
-    vec3 direction;
-};
 
-GraphRay seenBy(HeightPatch graph, Ray ray) {
-    NearRay near = recentre(ray.origin, graph.center, ray.direction);
-    return GraphRay(near, (near.origin * graph.axes) / graph.size, (ray.direction * graph.axes) / graph.size);
+// Where the ray meets the surface between `from` and `to`; beyond `to` where it does not.
+float metBetween(HeightPatch graph, GraphRay seen, float from, float to, float side) {
+    Sextic above = heightAbove(graph.net, seen.origin + from * seen.direction, seen.origin + to * seen.direction);
+    float way = side == 0.0 ? (above.low.x < 0.0 ? -1.0 : 1.0) : side;
+    above = Sextic(way * above.low, way * above.high);
+    if (side != 0.0) { // it starts on the surface, and leaves it
+        above.low.x = 0.0;
+        above.low.y = max(above.low.y, 0.0);
+    }
+    float x = firstFall(above);
+    return x > 1.0 ? to + 1.0 : mix(from, to, x);
 }
+#endif
 
 bool intersectHeightPatch(HeightPatch graph, Ray ray, float side, inout float t) {
     if (passesBy(ray, ballHeightPatch(graph))) return false;
@@ -138,17 +211,9 @@ bool intersectHeightPatch(HeightPatch graph, Ray ray, float side, inout float t)
     float start = (0.0 - seen.near.tHigh) - seen.near.tLow;
     float from = side == 0.0 ? max(span.x, start + ray.tMin) : start;
     if (!(from < span.y)) return false;
-    Sextic above = heightAbove(graph.net, seen.origin + from * seen.direction, seen.origin + span.y * seen.direction);
-    float sign_ = side == 0.0 ? (above.low.x < 0.0 ? -1.0 : 1.0) : side;
-    above = Sextic(sign_ * above.low, sign_ * above.high);
-    if (side != 0.0) { // it starts on the surface, and leaves it
-        above = Sextic(above.low - above.low.x, above.high - above.low.x);
-        above.low.y = max(above.low.y, 0.0);
-    }
-    float x = firstFall(above);
-    if (x > 1.0) return false;
-    float hit = seen.near.tHigh + (seen.near.tLow + mix(from, span.y, x));
-    bool meets = hit < t && (side != 0.0 || hit > ray.tMin);
+    float s = metBetween(graph, seen, from, span.y, side);
+    float hit = seen.near.tHigh + (seen.near.tLow + s);
+    bool meets = s <= span.y && hit < t && (side != 0.0 || hit > ray.tMin);
     t = meets ? hit : t;
     return meets;
 }
@@ -176,3 +241,24 @@ Surface surfaceHeightPatch(HeightPatch graph, Ray ray, float t) {
 #endif
     return surface;
 }
+
+#if DISTANCES && FIELDS
+#include "sdf/safe_direction.glsl"
+
+// Beyond the box: no point of the surface is nearer than sqrt(gap² + d²), d the distance where the box is nearest.
+vec4 distanceHeightPatch(HeightPatch graph, vec3 p, vec3 from) {
+    vec3 local = (p - graph.center) * graph.axes;
+    vec3 half_ = 0.5 * graph.field.size;
+    vec3 inside = clamp(local, -half_, half_);
+    vec3 gap = local - inside;
+    vec3 g = inVoxels(graph.field, inside);
+    ivec3 cell = cellAt(graph.field, g);
+    Voxel voxel = voxelAt(graph.field, cell);
+    float away = trilinear(voxel, g - vec3(cell));
+    vec3 slope = trilinearSlope(voxel, g - vec3(cell)) / voxelSize(graph.field);
+    slope = (away < 0.0 ? -1.0 : 1.0) * safeDirection(slope, length(slope), vec3(0.0, 1.0, 0.0));
+    away = abs(away);
+    float least = length(vec4(gap, away));
+    return vec4(graph.axes * safeDirection(gap + away * slope, least, slope), least);
+}
+#endif

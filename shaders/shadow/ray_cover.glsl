@@ -1,5 +1,6 @@
-// What a shape covers of a light's disc whose outline is not known, a solid that only estimates its distance or a patch:
-// by rays, one to a point of each of the disc's seven parts that varies from pixel to pixel. Where two opposite ones agree the others are taken to do so, too.
+// What a shape covers of a light's disc whose outline is not known: a solid that only estimates its distance, or a
+// patch. By rays, one to a point of each of the disc's seven parts that varies from pixel to pixel. Where two opposite
+// ones agree the others are taken to do so, too.
 //
 // Error   a Mandelbulb: .03 of the disc on average (RMSE), as noise (docs/shadows.md); a part the two miss is missed
 // Why     an estimate tells the way past a solid too short, and a march along a cone that grazes one takes many steps

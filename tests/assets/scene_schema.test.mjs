@@ -19,6 +19,8 @@ const admits = new Ajv2020({ strict: false }).compile(schema);
 const folder = mkdtempSync(path.join(os.tmpdir(), 'gnomon-schema-'));
 after(() => rmSync(folder, { recursive: true }));
 writeFileSync(path.join(folder, 'a.obj'), 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n');
+const net = Array.from({ length: 16 }, (_, k) => `${k % 4} 0 ${Math.floor(k / 4)}\n`);
+writeFileSync(path.join(folder, 'a.bpt'), `1\n3 3\n${net.join('')}`);
 
 /** Whether the program takes the scene; a file that it names and that is not there is no fault of the format. */
 function takes(scene) {
@@ -36,6 +38,7 @@ const resolved = (node) => (node.$ref ? schema.$defs[node.$ref.split('/').pop()]
 const sensible = {
   eye: [0, 0, 3], target: [0, 0, 0], up: [0, 1, 0], from: [0, 0, 0], to: [0, 1, 0], major_radius: 1, minor_radius: 0.25,
   vertices: [[0, 0, 0], [1, 0, 0], [0, 1, 0]], count: [1, 1, 1], period: [1, 1, 1], power: 8, iterations: 4,
+  points: Array.from({ length: 16 }, (_, k) => [k % 4, 0, Math.floor(k / 4)]), surface: { file: 'a.bpt' },
   radii: [1, 1, 1], half_size: [1, 1, 1], radius: 1, file: 'a.obj', image: 'grid', of: undefined, ior: 1.5,
 }; // prettier-ignore
 const sphere = { sphere: { center: [0, 0, 0], radius: 1 } };
@@ -155,7 +158,8 @@ function* objects(node, key) {
 const beyondSchemas = new RegExp(
   [
     'same point|parallel to the view|around itself|unknown (object|material|definition)|only spheres can glow',
-    'has no area|has no axis|times its shortest|torus is not supported|has no end|need a period|may meet|parts',
+    'has no area|has no axis|times its shortest|times the shorter side|its heights span|torus is not supported',
+    'has no end|need a period|may meet|parts',
     'only a single object|becomes ',
   ].join('|'),
 );

@@ -35,6 +35,8 @@ const Case kCases[] = {
     {"lite-later", "lite", 4, ShadowModel::Hard, 4.25},  {"pro", "pro", 8, ShadowModel::Hard, 0},
     {"torus", "torus", 4, ShadowModel::Hard, 0},         {"shapes", "shapes", 8, ShadowModel::Hard, 0},
     {"solids", "solids", 8, ShadowModel::ConeLinear, 0}, {"complex", "complex", 1, ShadowModel::Silhouette, 0},
+    {"teapot", "teapot", 4, ShadowModel::Hard, 0},       {"goblet", "goblet", 4, ShadowModel::Hard, 0},
+    {"patches", "patches", 4, ShadowModel::Hard, 0},
 };
 
 Image readPng(const std::string& file) {

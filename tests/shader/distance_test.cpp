@@ -54,6 +54,8 @@ Bounds boundsOf(ShapeKind kind) {
     case ShapeKind::Cylinder: return {2.5L};
     case ShapeKind::Cone: return {3};
     case ShapeKind::LargeSphere:
+    case ShapeKind::HeightPatch: // what its field's samples make of it: tests/shader/field_test.cpp
+    case ShapeKind::SpacePatch:  // has no distance
     case ShapeKind::Mandelbulb: // an estimate: tests/shader/solid_test.cpp, as all solids
     case ShapeKind::Solid: break;
     }

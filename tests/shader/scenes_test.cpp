@@ -85,6 +85,24 @@ TEST(Comparison, FindsSinglePixels) {
     EXPECT_EQ(d.worstAt, glm::ivec2(70, 50));
 }
 
+/// A steep patch that shadows itself, over a disc, in a mirror that is a patch, too.
+constexpr const char* kPatches = R"({"background": {"color": [0.1, 0.15, 0.25]},
+    "camera": {"eye": [1.6, 2.2, 2.6], "target": [0, 0, 0], "fov": 40},
+    "lights": [{"point": {"position": [-2.4, 1.3, 1.6]}}],
+    "materials": {"hills": {"ambient": [0.06, 0.05, 0.04], "diffuse": [0.7, 0.45, 0.2],
+                            "specular": 0.3, "shininess": 20},
+                  "mirror": {"ambient": 0, "diffuse": 0, "conductor": {"n": [0.15, 0.14, 0.2], "k": [4.0, 3.2, 2.6]}},
+                  "floor": {"ambient": 0.05, "diffuse": [0.4, 0.45, 0.5]}},
+    "objects": [{"patch": {"random": 5, "size": [1.5, 0.4, 1.5]}, "material": "hills"},
+                {"group": {"of": [{"patch": {"size": [2.6, 1, 2.2], "heights": [0, 0.2, 0.2, 0, 0.1, 0.3, 0.3, 0.1,
+                                             0.1, 0.3, 0.3, 0.1, 0, 0.2, 0.2, 0]}}],
+                           "rotate": [80, 25, 0], "translate": [-0.8, 0.2, -1.6]}, "material": "mirror"},
+                {"disc": {"center": [0, -1, 0], "normal": [0, 1, 0], "radius": 3}, "material": "floor"}]})";
+
+TEST(Patches, HaveNoIsolatedPixel) {
+    EXPECT_EQ(differenceOf("patches", sceneFrom(kPatches), sized(200, 150, 4)).outliers, 0);
+}
+
 // --- rays that bounce and bend
 // ------------------------------------------------------------------------------------------
 

@@ -47,6 +47,8 @@ TEST_P(Oracle, AnswersInDoubleAsIn50Digits) {
 
 INSTANTIATE_TEST_SUITE_P(Subjects, Oracle, testing::ValuesIn(subjects()),
                          [](const auto& test) { return test.param.name(); });
+INSTANTIATE_TEST_SUITE_P(Patches, Oracle, testing::ValuesIn(patches()),
+                         [](const auto& test) { return test.param.name(); });
 
 // Of a flat shape: no point of it is nearer than its distance, and one of many spread over it is about as near.
 TEST(FlatDistance, IsThatOfTheNearestOfAllPoints) {
@@ -157,6 +159,8 @@ TEST_P(CompareHits, TellsWhatIsNoNumberAndWhatIsNoObject) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Subjects, CompareHits, testing::ValuesIn(subjects()),
+                         [](const auto& test) { return test.param.name(); });
+INSTANTIATE_TEST_SUITE_P(Patches, CompareHits, testing::ValuesIn(patches()),
                          [](const auto& test) { return test.param.name(); });
 
 } // namespace

@@ -27,6 +27,21 @@ const std::map<std::string_view, std::vector<std::string>>& samples() {
         {"light-radius", {"0", "0.25", "10000"}},
         {"march", {"steps", "sphere"}},
         {"march-steps", {"1", "4096"}},
+        {"surface", {"field"}},
+        {"field-method", {"adamax", "gradient", "lipschitz"}},
+        {"field-resolution", {"8", "256"}},
+        {"field-format", {"r16f"}},
+        {"field-iterations", {"1", "1000"}},
+        {"field-rate", {"1e-05", "0.05"}},
+        {"field-beta1", {"0", "0.99"}},
+        {"field-beta2", {"0", "0.999"}},
+        {"field-starts", {"1", "5"}},
+        {"field-samples", {"2", "512"}},
+        {"lipschitz", {"32.5", "1000000"}},
+        {"field-march", {"relaxed", "voxel"}},
+        {"field-steps", {"1", "4096"}},
+        {"field-epsilon", {"1e-06", "1"}},
+        {"field-relaxation", {"1", "2"}},
         {"glow", {"off"}},
         {"normal-maps", {"off"}},
         {"color-mode", {"rrr", "bgr", "bbb"}},
@@ -168,7 +183,7 @@ TEST(Settings, HasNoTwoRowsOfOneKeyAndNoTwoMeaningsOfOneHotkey) {
         EXPECT_TRUE(keys.insert(row.key).second) << row.key;
         for (auto hotkey : {row.next, row.previous})
             EXPECT_TRUE(hotkey.empty() || hotkeys.insert(hotkey).second) << hotkey;
-        for (unsigned char c : row.key) EXPECT_TRUE(std::islower(c) || c == '-') << row.key;
+        for (unsigned char c : row.key) EXPECT_TRUE(std::islower(c) || std::isdigit(c) || c == '-') << row.key;
         EXPECT_FALSE(row.help.empty()) << row.key;
         EXPECT_FALSE(row.group.empty()) << row.key;
         for (const auto alias : row.aliases) EXPECT_TRUE(keys.insert(alias).second) << alias;

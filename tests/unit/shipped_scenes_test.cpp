@@ -19,7 +19,9 @@ const std::string kScenes = std::string(GNOMON_SOURCE_DIR) + "/assets/scenes/";
 Scene shipped(const std::string& name) {
     Problems problems;
     const std::string file = kScenes + name + ".json";
-    auto scene = readScene(textOf(file), file, problems);
+    auto scene = readScene(textOf(file), file, problems, [](const std::string& beside, Problems&) {
+        return std::optional(textOf(kScenes + beside));
+    });
     EXPECT_TRUE(scene) << toString(problems);
     return scene.value_or(Scene{});
 }
@@ -282,7 +284,9 @@ TEST(TorusScene, StandsItsTorusOnTheGround) {
 }
 
 TEST(ShippedScenes, AllHaveATitleADescriptionAndTheNameOfTheirFile) {
-    for (const char* name : {"lite", "pro", "torus", "shapes", "simple", "complex", "solids", "mandelbulb"}) {
+    for (const char* name :
+         {"lite", "pro", "torus", "shapes", "simple", "complex", "solids", "mandelbulb", "patches", "teapot",
+          "goblet"}) {
         const Scene scene = shipped(name);
         EXPECT_EQ(scene.name, name);
         EXPECT_FALSE(scene.title.empty()) << name;

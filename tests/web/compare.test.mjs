@@ -195,7 +195,6 @@ for (const name of browserNames)
 
     test('continues without the row that takes the context with it', async () => {
       const after = await page.evaluate(async (asked) => {
-        const loser = document.getElementById('view').getContext('webgl2').getExtension('WEBGL_lose_context');
         const told = [];
         let lost = false;
         const onprogress = (progress) => {
@@ -203,6 +202,8 @@ for (const name of browserNames)
           if (lost || progress.stage !== 'drawing' || progress.row !== 'lite, size 32x24, depth 1, shadows hard')
             return;
           lost = true;
+          const canvas = document.getElementById('lab');
+          const loser = canvas.getContext('webgl2').getExtension('WEBGL_lose_context');
           loser.loseContext();
           setTimeout(() => loser.restoreContext(), 100);
         };
@@ -223,7 +224,49 @@ for (const name of browserNames)
         ],
       );
       for (const row of rows) assert.equal(row[columns.findIndex(({ key }) => key === 'rounds')], 3);
-      await until('the view', () => page.evaluate(() => window.gnomon.settled().then(() => true)));
+      assert.ok(!(await page.evaluate(() => document.body.classList.contains('lost'))), 'the view keeps its context');
+    });
+
+    test('the view loses its context and gets it back while another measures', async () => {
+      const shown = await picture(page);
+      const { results, events } = await page.evaluate(async (asked) => {
+        const loser = document.getElementById('view').getContext('webgl2').getExtension('WEBGL_lose_context');
+        const events = [];
+        const off = ['lost', 'restored'].map((event) => window.gnomon.on(event, () => events.push(event)));
+        const onround = () => {
+          if (events.length) return;
+          loser.loseContext();
+          setTimeout(() => loser.restoreContext(), 100);
+        };
+        const results = await window.gnomon.compare({ ...asked, repeats: 6, onround });
+        await new Promise((resolve) => setTimeout(resolve, 200));
+        off.forEach((end) => end());
+        return { results, events };
+      }, tiny);
+      assert.deepEqual(events, ['lost', 'restored']);
+      assert.equal(results.environment.rounds, `webgl2-${name} 6 of 6`);
+      assert.equal(results.environment['left out'], undefined);
+      assert.equal(differences(shown, await picture(page)), 0);
+    });
+
+    test('nothing of the laboratory is left on the page, however often it was used', async () => {
+      const ball = { objects: [{ sphere: { center: [0, 0, 0], radius: 1 } }] };
+      const shown = await picture(page);
+      const answers = await page.evaluate(
+        // More than browsers have contexts for at a time.
+        async (scene) => {
+          const distance = async (far) => (await window.gnomon.traceRays(scene, [0, 0, far, 0, 0, 0, -1, 0]))[1];
+          return Promise.all(Array.from({ length: 20 }, (_, i) => distance(i + 2)));
+        },
+        ball,
+      );
+      assert.deepEqual(
+        answers,
+        Array.from({ length: 20 }, (_, i) => i + 1),
+      );
+      assert.equal(await page.$('#lab'), null);
+      assert.equal(differences(shown, await picture(page)), 0);
+      assert.ok(!(await page.evaluate(() => document.body.classList.contains('lost'))));
     });
 
     test('the button opens a dialog that measures, shows a table and gives it away', async () => {

@@ -8,13 +8,15 @@ import { test } from 'node:test';
 import { site } from './server.mjs';
 
 const mostKilobytes = 300;
-// Loads when it is asked for.
+// Loads when it is asked for, or when the picture has stood for a while (page/numerics.js).
 const later = [
   'assets',
   'report',
   'report.html',
   join('vendor', 'chart.js'),
-  ...['.js', '.css', '_dialog.js', '_calls.js'].map((end) => join('page', `compare${end}`)),
+  'gnomon-lab.js',
+  'gnomon-lab.wasm',
+  ...['lab.js', 'lab_calls.js', 'compare.js', 'compare.css', 'compare_dialog.js'].map((file) => join('page', file)),
 ];
 
 test(`program, shaders and page are at most ${mostKilobytes} KB when compressed`, async () => {
@@ -30,7 +32,7 @@ test(`program, shaders and page are at most ${mostKilobytes} KB when compressed`
   for (const file of files.filter((name) => name.endsWith('.js')))
     assert.doesNotMatch(
       await readFile(file, 'utf8'),
-      /from\s*['"]\.\/compare/,
+      /from\s*['"]\.\/(compare|lab\.|lab_)/,
       `${file} loads at once what is to load later`,
     );
 });

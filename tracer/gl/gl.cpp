@@ -100,12 +100,15 @@ Info info() {
     constexpr GLenum kUnmaskedRenderer = 0x9246;
     if (info.renderer == "WebKit WebGL" && enable("WEBGL_debug_renderer_info")) info.renderer = text(kUnmaskedRenderer);
     info.floatTargets = enable("EXT_color_buffer_float");
+    info.floatFilter = enable("OES_texture_float_linear");
     info.parallelCompile = enable("KHR_parallel_shader_compile");
 #else
     info.floatTargets = !info.es || has("EXT_color_buffer_float");
+    info.floatFilter = !info.es || has("OES_texture_float_linear");
     info.parallelCompile = has("KHR_parallel_shader_compile") || has("ARB_parallel_shader_compile");
 #endif
     info.maxTextureSize = integer(GL_MAX_TEXTURE_SIZE);
+    info.maxVolumeSize = integer(GL_MAX_3D_TEXTURE_SIZE);
     info.maxLayers = integer(GL_MAX_ARRAY_TEXTURE_LAYERS);
     info.maxUniformBlockSize = integer(GL_MAX_UNIFORM_BLOCK_SIZE);
     float pointSizes[2] = {1, 1};

@@ -26,8 +26,9 @@ struct Info {
     bool es = false;              ///< GLES or WebGL: else desktop core
     bool essl300 = false;         ///< accepts `#version 300 es`
     bool floatTargets = false;    ///< can draw to RGBA32F
+    bool floatFilter = false;     ///< can filter textures of float32
     bool parallelCompile = false; ///< compiling can be polled
-    int maxTextureSize = 0, maxLayers = 0, maxUniformBlockSize = 0;
+    int maxTextureSize = 0, maxVolumeSize = 0, maxLayers = 0, maxUniformBlockSize = 0;
     float maxPointSize = 1;
 };
 /// Of the current context.

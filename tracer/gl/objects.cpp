@@ -139,6 +139,19 @@ Transfer transferOf(GLenum format) {
     }
 }
 
+Framebuffer makeFramebuffer() {
+    GLuint name = 0;
+    glGenFramebuffers(1, &name);
+    return Framebuffer(name);
+}
+
+/// Of the framebuffer that is bound, which is not any more then.
+bool isComplete() {
+    const bool complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+    return complete;
+}
+
 } // namespace
 
 Target makeTarget(int width, int height, GLenum format) {
@@ -146,14 +159,29 @@ Target makeTarget(int width, int height, GLenum format) {
     const Transfer transfer = transferOf(format);
     Target target{makeTexture(GL_TEXTURE_2D, filter, filter, GL_CLAMP_TO_EDGE), {}, width, height, format};
     glTexImage2D(GL_TEXTURE_2D, 0, GLint(format), width, height, 0, transfer.format, transfer.type, nullptr);
-    GLuint framebuffer = 0;
-    glGenFramebuffers(1, &framebuffer);
-    target.framebuffer = Framebuffer(framebuffer);
-    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    target.framebuffer = makeFramebuffer();
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.get());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, target.color.get(), 0);
-    const bool complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+    return isComplete() ? std::move(target) : Target{};
+}
+
+void attachSecond(const Target& target, const Texture& texture) {
+    constexpr GLenum kBoth[]{GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+    glBindFramebuffer(GL_FRAMEBUFFER, target.framebuffer.get());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, kBoth[1], GL_TEXTURE_2D, texture.get(), 0);
+    glDrawBuffers(2, kBoth);
     glBindFramebuffer(GL_FRAMEBUFFER, 0);
-    return complete ? std::move(target) : Target{};
+}
+
+Volume makeVolume(glm::ivec3 size, GLenum format, bool filtered) {
+    const GLint filter = filtered ? GL_LINEAR : GL_NEAREST;
+    Volume volume{makeTexture(GL_TEXTURE_3D, filter, filter, GL_CLAMP_TO_EDGE), makeFramebuffer(), size, format};
+    glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_WRAP_R, GL_CLAMP_TO_EDGE);
+    const GLenum type = format == GL_R16F ? GL_HALF_FLOAT : GL_FLOAT;
+    glTexImage3D(GL_TEXTURE_3D, 0, GLint(format), size.x, size.y, size.z, 0, GL_RED, type, nullptr);
+    glBindFramebuffer(GL_FRAMEBUFFER, volume.framebuffer.get());
+    glFramebufferTextureLayer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, volume.texture.get(), 0, 0);
+    return isComplete() ? std::move(volume) : Volume{};
 }
 
 void Fence::set() {

@@ -6,6 +6,8 @@
 #include "tracer/image.h"
 #include "tracer/layers.h"
 
+#include <glm/glm.hpp>
+
 #include <functional>
 #include <string>
 #include <utility>
@@ -98,6 +100,20 @@ struct Target {
     explicit operator bool() const { return bool(framebuffer); }
 };
 Target makeTarget(int width, int height, GLenum format);
+/// What a program puts out second goes into this texture, which is as large.
+void attachSecond(const Target&, const Texture&);
+
+/// A block of GL_R32F or GL_R16F texels, and a framebuffer to attach its layers to. Empty where the GL cannot draw to
+/// it. Read by texelFetch or, where `filtered`, between texels.
+struct Volume {
+    Texture texture;
+    Framebuffer framebuffer;
+    glm::ivec3 size{0};
+    GLenum format = 0;
+
+    explicit operator bool() const { return bool(framebuffer); }
+};
+Volume makeVolume(glm::ivec3 size, GLenum format, bool filtered);
 
 /// Tells when the GPU has done what it was asked for so far, without waiting.
 class Fence {

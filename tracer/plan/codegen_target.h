@@ -7,6 +7,7 @@ namespace gnomon {
 struct CodegenTarget {
     bool es300 = true;        ///< prelude `#version 300 es`, else `330 core`
     bool floatTargets = true; ///< the linear picture is of floats, else of their bits: shaders/pass/linear_output.glsl
+    bool floatFilter = false; ///< textures of float32 can be filtered
     int blockTexels = 1024;   ///< vec4 that a uniform block holds: 16 KiB, as every GL does
     bool textureBest = false; ///< scene data is read faster from a texture than from a uniform block
     bool split = false;       ///< shader variants pay off: each pixel pays for all that its program has

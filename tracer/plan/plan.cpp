@@ -43,15 +43,28 @@ void addLight(const Scene& scene, const Settings& settings, SceneFeatures& featu
         features.directional |= light.kind == LightKind::Directional;
         features.lightProfiles |= light.kind == LightKind::Spot || light.falloff > 0;
     }
-    const bool served = shadowRow(settings.shadows).parallel || !features.directional;
+    const auto count = [&](auto which) { return std::count_if(scene.objects.begin(), scene.objects.end(), which); };
+    const bool nets = count([](const Object& o) { return o.shape.net != nullptr; }) > 0; // whose distance none knows
+    const ShadowRow& asked = shadowRow(settings.shadows);
+    const bool served = (asked.parallel || !features.directional) && !(asked.distances && nets);
     features.shadows = features.lights == 0 ? ShadowModel::Off : served ? settings.shadows : ShadowModel::Hard;
     // What comes from infinity has no start to march from.
     features.fromLight =
         features.shadows != ShadowModel::Off && settings.coneOrigin == ConeOrigin::Light && !features.directional;
-    const auto count = [&](auto which) { return std::count_if(scene.objects.begin(), scene.objects.end(), which); };
     if (settings.glow) features.glows = int(count([](const Object& o) { return o.glow.has_value(); }));
-    const bool solids = count([](const Object& o) { return o.shape.solid != nullptr; }) > 0;
-    features.distances = solids || shadowRow(features.shadows).distances;
+}
+
+/// Fields are baked where rays go through them and where models ask for distances. A GL that cannot draw floats has
+/// none.
+void addFields(const Scene& scene, const Settings& settings, const CodegenTarget& target, SceneFeatures& features) {
+    if (!hasSurfaces(scene)) return;
+    if (!target.floatTargets && shadowRow(features.shadows).distances) {
+        features.shadows = ShadowModel::Hard;
+        features.fromLight = false;
+    }
+    features.surfaceInField = settings.surface == SurfaceMode::Field && target.floatTargets;
+    features.fields = features.surfaceInField || shadowRow(features.shadows).distances;
+    if (features.surfaceInField) features.fieldMarch = settings.fieldMarch;
 }
 
 /// Grids have long lists: they are for what lies in a texture. Searches by distance know none.
@@ -68,6 +81,11 @@ void chooseData(const PreparedScene& prepared, const Settings& settings, const C
 
 } // namespace
 
+bool hasSurfaces(const Scene& scene) {
+    return std::any_of(scene.objects.begin(), scene.objects.end(),
+                       [](const Object& o) { return o.shape.kind == ShapeKind::HeightPatch; });
+}
+
 Plan planOf(const PreparedScene& prepared, const Settings& settings, const CodegenTarget& target) {
     Plan plan{{}, target, {}};
     SceneFeatures& features = plan.scene;
@@ -81,16 +99,27 @@ Plan planOf(const PreparedScene& prepared, const Settings& settings, const Codeg
     addMaterials(prepared, settings, features);
     addMedia(prepared, features);
     addLight(prepared.scene, settings, features);
+    addFields(prepared.scene, settings, target, features);
+    const std::vector<Object>& objects = prepared.scene.objects;
+    const bool solids = std::any_of(objects.begin(), objects.end(), [](const Object& o) { return o.shape.solid; });
+    features.distances = solids || shadowRow(features.shadows).distances;
     chooseData(prepared, settings, target, features);
     return plan;
 }
 
-bool planAlike(const Settings& a, const Settings& b) {
+namespace {
+
+bool alike(Effect effect, const Settings& a, const Settings& b) {
     const auto rows = settingsTable();
     return std::all_of(rows.begin(), rows.end(), [&](const SettingRow& row) {
-        return row.effect != Effect::Rebuild || textOf(row, a) == textOf(row, b);
+        return row.effect != effect || textOf(row, a) == textOf(row, b);
     });
 }
+
+} // namespace
+
+bool planAlike(const Settings& a, const Settings& b) { return alike(Effect::Rebuild, a, b); }
+bool bakesAlike(const Settings& a, const Settings& b) { return alike(Effect::Bake, a, b); }
 
 Plan sourceKeyOf(Plan plan) {
     const ScreenSplit split = plan.split;

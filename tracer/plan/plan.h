@@ -19,11 +19,16 @@ struct Plan {
     bool operator==(const Plan&) const = default;
 };
 
+/// Objects of it are parametric surfaces, of which fields may be baked.
+bool hasSurfaces(const Scene&);
+
 /// For one variant, the full one. `settings.data` Auto takes a block where that holds the scene and is as fast.
 Plan planOf(const PreparedScene&, const Settings&, const CodegenTarget&);
 
 /// No plan tells the two apart: only settings differ that are uniforms or the host's.
 bool planAlike(const Settings&, const Settings&);
+/// Fields that are baked by the two are the same.
+bool bakesAlike(const Settings&, const Settings&);
 
 /// The plan without what no source depends on. Where it is equal for two plans, so is their source.
 Plan sourceKeyOf(Plan);

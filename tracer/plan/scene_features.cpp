@@ -16,8 +16,7 @@ std::string KindCount::type() const { return glslTypeOf(kind) + (solid ? std::to
 
 int KindCount::texels() const {
     if (solid) return texelsOf(*solid);
-    const bool more = kind == ShapeKind::SmoothTriangle || kind == ShapeKind::HeightPatch;
-    return texelsOf(kind) + (more ? kNetTexels : 0);
+    return texelsOf(kind) + netTexelsOf(kind);
 }
 
 bool KindCount::operator==(const KindCount& other) const {

@@ -59,6 +59,9 @@ struct SceneFeatures {
     March march = March::Cone;
     bool fromLight = false; ///< shadow cones are marched from the light
     bool distances = false; ///< of shapes are asked for
+    bool fields = false;    ///< of parametric surfaces are baked
+    bool surfaceInField = false; ///< rays find them there
+    FieldMarch fieldMarch = FieldMarch::Sphere;
     Aov output = Aov::Color;
     bool dataBlock = false; ///< scene data in a uniform block, else in a texture
 

@@ -153,9 +153,20 @@ void ScenePacker::packShapes(glm::dvec3 eye) {
             } else {
                 appendShape(drawnAs(kind.kind, shape, eye), texels_);
                 if (isTriangle(kind.kind)) setMiddle(middle, texels_);
+                if (kind.kind == ShapeKind::HeightPatch) setField(i);
                 appendNet(shape, texels_);
             }
         }
+}
+
+/// Into the free components of the patch that the texels end with: samples, height of the box, place in the texture.
+void ScenePacker::setField(int object) {
+    if (fields_.slots.empty()) return;
+    const FieldSlot& slot = fields_.slots[std::size_t(fields_.slotOf[std::size_t(object)])];
+    glm::vec4* texels = &texels_[texels_.size() - 5];
+    texels[0].w = float(fields_.samples);
+    texels[1].w = float(slot.size.y);
+    for (int i = 0; i < 3; ++i) texels[2 + i].w = float(slot.at[i]);
 }
 
 void ScenePacker::packSearches(const SceneFeatures& features, glm::vec3 eye) {
@@ -239,9 +250,10 @@ void ScenePacker::packProfiles() {
     for (const Light& light : prepared_->scene.lights) texels_.push_back(coneTexel(light));
 }
 
-std::vector<glm::vec4> packScene(PreparedScenePtr prepared, const Plan& plan, double time) {
+std::vector<glm::vec4> packScene(PreparedScenePtr prepared, const Plan& plan, double time, FieldLayout fields) {
     const glm::dvec3 eye = prepared->scene.camera.eye;
     ScenePacker packer(std::move(prepared), glm::dvec3(0));
+    packer.setFields(std::move(fields));
     const auto texels = packer.pack(plan, time, eye);
     return {texels.begin(), texels.end()};
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tracer/accel/hierarchy.h"
+#include "tracer/plan/field_layout.h"
 #include "tracer/plan/plan.h"
 
 #include <glm/glm.hpp>
@@ -34,10 +35,13 @@ class ScenePacker {
 
     /// From here on images are told to lie on such tiles.
     void setTiles(Tiles tiles) { tiles_ = std::move(tiles); }
+    /// And surfaces to have such fields.
+    void setFields(FieldLayout fields) { fields_ = std::move(fields); }
 
   private:
     std::vector<Shape> shapesAbout(double time) const;
     void packShapes(glm::dvec3 eye);
+    void setField(int object);
     void packSearches(const SceneFeatures&, glm::vec3 eye);
     void packObjects(const Plan&);
     void packLights();
@@ -50,6 +54,7 @@ class ScenePacker {
     PreparedScenePtr prepared_;
     glm::dvec3 origin_;
     Tiles tiles_;
+    FieldLayout fields_;
     std::vector<Hierarchy> hierarchies_; ///< of each kind of the layout
     std::vector<Shape> shapes_;          ///< packed last
     std::vector<Bounds> bounds_;         ///< of one kind; kept for its memory
@@ -57,6 +62,6 @@ class ScenePacker {
 };
 
 /// What one picture takes: as ScenePacker, in the world's coordinates and from the scene's own camera.
-std::vector<glm::vec4> packScene(PreparedScenePtr, const Plan&, double time);
+std::vector<glm::vec4> packScene(PreparedScenePtr, const Plan&, double time, FieldLayout = {});
 
 } // namespace gnomon

@@ -71,6 +71,11 @@ ShapeTexels packedShape(const Shape& shape) {
     return texels;
 }
 
+int netTexelsOf(ShapeKind kind) {
+    if (kind == ShapeKind::SpacePatch) return 16;
+    return kind == ShapeKind::SmoothTriangle || kind == ShapeKind::HeightPatch ? 4 : 0;
+}
+
 void appendNet(const Shape& shape, std::vector<glm::vec4>& out) {
     if (const auto& corners = shape.corners) {
         const auto& uv = corners->uv;
@@ -79,7 +84,13 @@ void appendNet(const Shape& shape, std::vector<glm::vec4>& out) {
     }
     if (const auto& heights = shape.heights)
         for (std::size_t row = 0; row < 16; row += 4)
-            out.emplace_back(glm::dvec4((*heights)[row], (*heights)[row + 1], (*heights)[row + 2], (*heights)[row + 3]));
+            out.emplace_back((*heights)[row], (*heights)[row + 1], (*heights)[row + 2], (*heights)[row + 3]);
+    if (!shape.net) return;
+    const auto& points = shape.net->points;
+    for (int axis = 0; axis < 4; ++axis)
+        for (std::size_t row = 0; row < 16; row += 4)
+            out.emplace_back(
+                glm::dvec4(points[row][axis], points[row + 1][axis], points[row + 2][axis], points[row + 3][axis]));
 }
 
 void appendShape(const Shape& shape, std::vector<glm::vec4>& out) {

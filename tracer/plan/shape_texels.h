@@ -28,8 +28,8 @@ int texelsOf(ShapeKind);
 ShapeTexels packedShape(const Shape&);
 
 /// What follows the texels of its geometry. Of a smooth triangle: three normals, with u beside them, and v; of a height
-/// patch the rows of its net.
-inline constexpr int kNetTexels = 4;
+/// patch the rows of its net; of a patch in space those of x, of y, of z and of the weights.
+int netTexelsOf(ShapeKind);
 void appendNet(const Shape&, std::vector<glm::vec4>&);
 
 /// Appends its texels.

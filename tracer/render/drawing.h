@@ -24,7 +24,8 @@ struct Drawing {
                            [](const auto& pass) { return pass && pass->program; });
     }
     bool canDraw() const {
-        return *this && trace.canDraw() && std::all_of(fullScreen.begin(), fullScreen.end(), [](const auto& pass) {
+        if (!*this || (trace.plan().scene.fields && !scene->fields().usable())) return false;
+        return trace.canDraw() && std::all_of(fullScreen.begin(), fullScreen.end(), [](const auto& pass) {
             return pass->state == CompileState::Ready;
         });
     }

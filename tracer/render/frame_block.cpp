@@ -30,6 +30,9 @@ FrameUniforms frameUniforms(const View& view, const PreparedScene& prepared, con
     frame.marchSteps = settings.marchSteps;
     frame.samples = settings.samples;
     frame.firstSample = settings.firstSample;
+    frame.fieldSteps = settings.fieldSteps;
+    frame.fieldEpsilon = float(settings.fieldEpsilon);
+    frame.fieldRelaxation = float(settings.fieldRelaxation);
     return frame;
 }
 

@@ -25,12 +25,14 @@ struct alignas(16) FrameUniforms {
     int samples = 0;
     int firstSample = 0;
     int repeats = 0;
+    int fieldSteps = 0;
+    float fieldEpsilon = 0, fieldRelaxation = 0;
 };
 
 static_assert(offsetof(FrameUniforms, background) == 80 && offsetof(FrameUniforms, channels) == 96 &&
               offsetof(FrameUniforms, zero) == 112 && offsetof(FrameUniforms, canvas) == 128 &&
               offsetof(FrameUniforms, pixelAngle) == 136 && offsetof(FrameUniforms, coneError) == 144 &&
               offsetof(FrameUniforms, encode) == 160 && offsetof(FrameUniforms, firstSample) == 176 &&
-              offsetof(FrameUniforms, repeats) == 180 && sizeof(FrameUniforms) == 192);
+              offsetof(FrameUniforms, repeats) == 180 && sizeof(FrameUniforms) == 208);
 
 } // namespace gnomon

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "tracer/plan/scene_packer.h"
+#include "tracer/render/scene_fields.h"
 #include "tracer/render/scene_images.h"
 #include "tracer/render/scene_numbers.h"
 #include "tracer/render/view.h"
@@ -16,6 +17,11 @@ class GpuScene {
     const PreparedScene& prepared() const { return *prepared_; }
     SceneImages& images() { return images_; }
     const SceneImages& images() const { return images_; }
+    SceneFields& fields() { return fields_; }
+    const SceneFields& fields() const { return fields_; }
+
+    /// Bakes fields on; true where new ones are drawn with from here on.
+    bool bake(ProgramCache&, const CodegenTarget&, Problems&);
 
     /// Brings all to the GPU that programs of this plan read for the view, and binds it.
     void upload(const Plan&, const View&, Pictures&, Problems&);
@@ -26,6 +32,7 @@ class GpuScene {
     PreparedScenePtr prepared_;
     ScenePacker packer_;
     SceneImages images_;
+    SceneFields fields_;
     SceneNumbers numbers_;
 };
 

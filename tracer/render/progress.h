@@ -11,10 +11,10 @@ struct Progress {
     double samples = 0;  ///< fraction of the picture at full resolution that is drawn since it last changed
     bool failed = false; ///< a program does not compile: what drew before draws on
 
-    /// All programs are there: the picture is the one that was asked for.
-    bool ready() const { return wanted && compiled >= 1 && !failed; }
+    /// All programs and fields are there: the picture is the one that was asked for.
+    bool ready() const { return wanted && compiled >= 1 && baked >= 1 && !failed; }
     /// Something is on its way that another poll may bring.
-    bool compiling() const { return wanted && compiled < 1 && !failed; }
+    bool compiling() const { return wanted && (compiled < 1 || baked < 1) && !failed; }
 };
 
 } // namespace gnomon

@@ -69,12 +69,33 @@ void tellOfDirectionalLight(const PreparedScene& prepared, const Plan& plan, con
              "use --cone-origin=surface");
 }
 
+/// Where surfaces have no distance that the settings ask for.
+void tellOfFields(const PreparedScene& prepared, const Plan& plan, const Settings& settings, Problems& problems) {
+    const auto tell = [&](const std::string& what, const std::string& remedy) {
+        problems.push_back({prepared.scene.file, 0, {}, what, remedy});
+    };
+    const std::vector<Object>& objects = prepared.scene.objects;
+    const bool nets = std::any_of(objects.begin(), objects.end(), [](const Object& o) { return bool(o.shape.net); });
+    const ShadowRow& wanted = shadowRow(settings.shadows);
+    const bool hard = wanted.distances && plan.scene.shadows == ShadowModel::Hard;
+    if (nets && hard)
+        tell("the scene has patches in space, of which no distance is known that --shadows=" + std::string(wanted.key) +
+                 " asks for: its shadows are hard",
+             "use --shadows=silhouette or montecarlo");
+    const bool field = settings.surface == SurfaceMode::Field && !plan.scene.surfaceInField;
+    if (!plan.target.floatTargets && hasSurfaces(prepared.scene) && (field || hard))
+        tell("this GL cannot bake fields of distances, since it draws no float32: surfaces are met without them" +
+                 std::string(hard ? ", and shadows are hard" : ""),
+             "use another GL");
+}
+
 /// How to draw for the settings. A problem where scene data does not lie where the settings want it.
 Plan planFor(const PreparedScene& prepared, const Settings& settings, const gl::Info& info, bool overridden,
              Problems& problems) {
     Plan plan = splitPlanOf(prepared, settings, targetOf(info));
     if (overridden) plan.split = {}; // variants are of the library's own files
     tellOfDirectionalLight(prepared, plan, settings, problems);
+    tellOfFields(prepared, plan, settings, problems);
     const int texels = sceneTexels(plan.scene), room = plan.target.blockTexels;
     if (plan.scene.dataBlock && texels > room) {
         plan.scene.dataBlock = false;
@@ -127,6 +148,7 @@ struct Renderer::Impl {
         for (const FullScreenRow& row : kFullScreenTable)
             if (row.wanted(settings)) wanted.fullScreen.push_back(programs.get(plan, problems, row.shader));
         adopted = false;
+        if (plan.scene.fields) wanted.scene->fields().want(settings, info, problems);
         adopt();
     }
 
@@ -151,7 +173,19 @@ struct Renderer::Impl {
         if (!adopted || drawn.trace.split() != wanted.trace.split()) adopt();
         progress.failed |= traced == CompileState::Failed;
         progress.compiled = 0.5 * (wanted.trace.compiled() + fullScreenReady);
+        bake(progress, problems);
         return progress;
+    }
+
+    void bake(Progress& progress, Problems& problems) {
+        const Plan& plan = wanted.trace.plan();
+        if (!plan.scene.fields) return;
+        if (wanted.scene->bake(programs, plan.target, problems)) {
+            ++version;
+            if (!adopted) adopt();
+        }
+        progress.baked = wanted.scene->fields().baked();
+        progress.failed |= wanted.scene->fields().failed();
     }
 
     /// Fraction of the full-screen passes that are ready.
@@ -217,7 +251,8 @@ void Renderer::setImage(const std::string& name, Image image) {
 void Renderer::useImagesOnce() { impl_->frame.pictures.once = true; }
 
 void Renderer::configure(const Settings& settings) {
-    const bool alike = planAlike(impl_->settings, settings) && passesAlike(impl_->settings, settings);
+    const bool alike = planAlike(impl_->settings, settings) && bakesAlike(impl_->settings, settings) &&
+                       passesAlike(impl_->settings, settings);
     impl_->settings = impl_->wanted.settings = settings;
     ++impl_->version;
     if (!alike || !impl_->wanted) impl_->choose();

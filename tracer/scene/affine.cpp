@@ -1,6 +1,7 @@
 #include "tracer/scene/affine.h"
 
 #include "tracer/problem.h"
+#include "tracer/scene/read_patch.h"
 #include "tracer/scene/read_solid.h"
 #include "tracer/scene/rotation.h"
 #include "tracer/scene/scene_format.h"
@@ -159,6 +160,7 @@ Transformed mapped(const Shape& shape, const Affine& map) {
         return boxOf(shape, linear, map(pointOf(shape, "center")));
     }
     case ShapeKind::HeightPatch: return heightPatchOf(shape, map);
+    case ShapeKind::SpacePatch: return spacePatchOf(mappedNet(*shape.net, map.linear), map(pointOf(shape, "anchor")));
     case ShapeKind::Cylinder:
     case ShapeKind::Capsule:
     case ShapeKind::Cone: return axialOf(shape, map);

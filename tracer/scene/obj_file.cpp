@@ -1,42 +1,28 @@
 #include "tracer/scene/obj_file.h"
 
 #include "tracer/problem.h"
+#include "tracer/scene/text_words.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdlib>
 
 namespace gnomon {
 namespace {
 
 constexpr double kFarthest = 1e6; // as coordinates in scene files
 
-bool isBlank(char c) { return c == ' ' || c == '\t'; }
-
-/// The next word of a line, which loses it.
-std::string_view nextWord(std::string_view& line) {
-    std::size_t begin = 0;
-    while (begin < line.size() && isBlank(line[begin])) ++begin;
-    std::size_t end = begin;
-    while (end < line.size() && !isBlank(line[end])) ++end;
-    const std::string_view word = line.substr(begin, end - begin);
-    line.remove_prefix(end);
-    return word;
-}
-
 class Reader {
   public:
     Reader(std::string_view text, const std::string& file) : text_(text), file_(file) {}
 
     std::variant<ObjFile, Complaint> read() {
-        constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-        if (text_.starts_with(kByteOrderMark)) text_.remove_prefix(kByteOrderMark.size());
+        text_ = withoutMark(text_);
         const bool plain = text_.substr(0, 64).find('\0') == std::string_view::npos; // as UTF-16 is not
         while (!text_.empty() && complaint_[0].empty()) {
             ++line_;
-            readLine(nextLine());
+            readLine(continuedLine());
         }
         if (complaint_[0].empty() && obj_.faces.empty())
             complaint_ = {file_ + " has no faces", plain ? "use an OBJ file with lines that begin with f"
@@ -46,14 +32,11 @@ class Reader {
     }
 
   private:
-    /// A backslash at its end continues a line. Lines end as on any system: with \n, \r\n or \r.
-    std::string nextLine() {
+    /// A backslash at its end continues a line.
+    std::string continuedLine() {
         std::string line;
         for (bool more = true; more && !text_.empty();) {
-            const std::size_t end = std::min(text_.find_first_of("\r\n"), text_.size());
-            std::string_view piece = text_.substr(0, end);
-            text_.remove_prefix(end);
-            text_.remove_prefix(text_.starts_with("\r\n") ? 2 : std::min<std::size_t>(1, text_.size()));
+            std::string_view piece = nextLine(text_);
             while (!piece.empty() && isBlank(piece.back())) piece.remove_suffix(1);
             more = !piece.empty() && piece.back() == '\\';
             if (more) piece.remove_suffix(1);
@@ -152,15 +135,6 @@ class Reader {
                              "keep numbers from " + toString(-farthest) + " to " + toString(farthest));
         }
         return true;
-    }
-
-    /// Without what strtod takes besides: hexadecimal, inf and nan.
-    static bool decimal(std::string_view word, double& number) {
-        if (word.find_first_not_of("0123456789+-.eE") != std::string_view::npos) return false;
-        const std::string text(word);
-        char* end = nullptr;
-        number = std::strtod(text.c_str(), &end);
-        return end == text.c_str() + text.size();
     }
 
     void refuse(const std::string& what, const std::string& remedy) { wrong(what, remedy); }

@@ -47,24 +47,25 @@ bool checkNumber(const Entry& entry, Range range, double& target) {
     return true;
 }
 
+bool expectList(const Entry& entry, std::size_t count, const std::string& what, const std::string& example) {
+    const std::string wanted = "a list of " + std::to_string(count) + " " + what;
+    const std::size_t found = entry.value.children.size();
+    return entry.expect(Kind::Array, wanted, example) &&
+           (found == count ||
+            entry.complain("expected " + wanted + ", found " + std::to_string(found) + " entries", example));
+}
+
 /// `count` numbers in a list, as in `example`. All are checked, even where one is wrong.
 bool checkNumbers(const Entry& entry, Range range, std::size_t count, const std::string& example, double* target) {
-    const std::string wanted = "a list of " + std::to_string(count) + " numbers";
-    if (!entry.expect(Kind::Array, wanted, example)) return false;
-    const std::size_t found = entry.value.children.size();
-    if (found != count)
-        return entry.complain("expected " + wanted + ", found " + std::to_string(found) + " entries",
-                              found > count ? example + ", decimals with a point" : example);
+    const bool more = entry.value.kind == Kind::Array && entry.value.children.size() > count;
+    if (!expectList(entry, count, "numbers", more ? example + ", decimals with a point" : example)) return false;
     bool right = true;
     for (std::size_t i = 0; i < count; ++i) right &= checkNumber(entry.item(i), range, target[i]);
     return right;
 }
 
 bool checkVector(const Entry& entry, Range range, glm::dvec3& target, const std::string& example = "write [x, y, z]") {
-    double numbers[3];
-    if (!checkNumbers(entry, range, 3, example, numbers)) return false;
-    target = {numbers[0], numbers[1], numbers[2]};
-    return true;
+    return checkNumbers(entry, range, 3, example, &target.x);
 }
 
 bool checkDirection(const Entry& entry, Range range, glm::dvec3& target) {
@@ -308,10 +309,7 @@ bool ObjectReader::read(std::string_view key, std::array<glm::dvec3, 2>& target)
     const JsonValue* value = value_->find(key);
     if (!value) return false;
     const Entry entry{*value, pathOf(key), *report_};
-    const std::string example = "write [[r, g, b], [r, g, b]]";
-    if (!entry.expect(Kind::Array, "a list of 2 colours", example)) return false;
-    if (const std::size_t found = value->children.size(); found != 2)
-        return entry.complain("expected a list of 2 colours, found " + std::to_string(found) + " entries", example);
+    if (!expectList(entry, 2, "colours", "write [[r, g, b], [r, g, b]]")) return false;
     bool right = true;
     for (std::size_t i = 0; i < 2; ++i) right &= checkColor(entry.item(i), format_->find(key)->range, target[i]);
     return right;
@@ -321,10 +319,7 @@ bool ObjectReader::read(std::string_view key, std::array<glm::dvec3, 3>& target)
     const JsonValue* value = value_->find(key);
     if (!value) return false;
     const Entry entry{*value, pathOf(key), *report_};
-    const std::string example = "write [[x, y, z], [x, y, z], [x, y, z]]";
-    if (!entry.expect(Kind::Array, "a list of 3 points", example)) return false;
-    if (const std::size_t found = value->children.size(); found != 3)
-        return entry.complain("expected a list of 3 points, found " + std::to_string(found) + " entries", example);
+    if (!expectList(entry, 3, "points", "write [[x, y, z], [x, y, z], [x, y, z]]")) return false;
     bool right = true;
     for (std::size_t i = 0; i < 3; ++i) right &= checkVector(entry.item(i), format_->find(key)->range, target[i]);
     return right;
@@ -333,7 +328,23 @@ bool ObjectReader::read(std::string_view key, std::array<glm::dvec3, 3>& target)
 bool ObjectReader::read(std::string_view key, std::array<double, 16>& target) const {
     const JsonValue* value = value_->find(key);
     const char* example = "write four rows of four numbers in one list";
-    return value && checkNumbers({*value, pathOf(key), *report_}, format_->find(key)->range, 16, example, target.data());
+    const Range range = format_->find(key)->range;
+    return value && checkNumbers({*value, pathOf(key), *report_}, range, target.size(), example, target.data());
+}
+
+bool ObjectReader::read(std::string_view key, std::array<glm::dvec4, 16>& target) const {
+    const JsonValue* value = value_->find(key);
+    if (!value) return false;
+    const Entry entry{*value, pathOf(key), *report_};
+    const char* how = "write 16 points as [x, y, z], or all with a weight, [x, y, z, w]";
+    if (!expectList(entry, 16, "points", how)) return false;
+    bool right = true;
+    target.fill(glm::dvec4(1));
+    const std::size_t count = value->children[0].children.size() == 4 ? 4 : 3; // and so for the others
+    for (std::size_t i = 0; i < 16; ++i)
+        right &= checkNumbers(entry.item(i), format_->find(key)->range, count, how, &target[i].x) &&
+                 (count == 3 || checkNumber(entry.item(i).item(3), kWeight, target[i].w));
+    return right;
 }
 
 std::optional<ObjectReader> ObjectReader::object(std::string_view key) const {

@@ -51,6 +51,7 @@ class ObjectReader {
     bool read(std::string_view key, std::array<glm::dvec3, 2>&) const;
     bool read(std::string_view key, std::array<glm::dvec3, 3>&) const;
     bool read(std::string_view key, std::array<double, 16>&) const;
+    bool read(std::string_view key, std::array<glm::dvec4, 16>&) const;
 
     /// The reader of the object under `key`; none where the key is absent.
     std::optional<ObjectReader> object(std::string_view key) const;

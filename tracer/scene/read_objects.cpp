@@ -1,5 +1,6 @@
 #include "tracer/scene/read_objects.h"
 
+#include "tracer/scene/bpt_file.h"
 #include "tracer/scene/mesh.h"
 #include "tracer/scene/read_solid.h"
 
@@ -10,7 +11,7 @@ constexpr int kToBeNamed = -2;  // what an object moves around, until all names 
 constexpr int kNoMaterial = -1; // yet: that of the group around, or in the end the default
 
 bool isSeveral(const ObjectReader& object) {
-    return object.has("group") || object.has("instance") || object.has("mesh");
+    return object.has("group") || object.has("instance") || object.has("mesh") || object.has("surface");
 }
 
 } // namespace
@@ -58,6 +59,7 @@ void ObjectsReader::readObject(const ObjectReader& reader, Target& target) {
     if (const auto group = reader.object("group")) readGroup(*group, target);
     if (const auto instance = reader.object("instance")) readInstance(*instance, target);
     if (const auto mesh = reader.object("mesh")) readMesh(*mesh, target);
+    if (const auto surface = reader.object("surface")) readModel(*surface, ModelKind::Surface, target);
     if (isSeveral(reader)) readBlend(reader);
     if (!isSeveral(reader) && hasRoom(1, reader, target)) {
         Object& object = target.objects.emplace_back();
@@ -100,32 +102,41 @@ void ObjectsReader::readInstance(const ObjectReader& instance, Target& target) {
     place(instance, from, target);
 }
 
-std::variant<std::vector<Shape>, Complaint> ObjectsReader::trianglesOf(const std::string& file, bool smooth) const {
-    if (!files_) return Complaint{"a mesh cannot be read here", "write its triangles into the scene"};
+void ObjectsReader::readMesh(const ObjectReader& mesh, Target& target) {
+    bool smooth = true;
+    mesh.read("smooth", smooth);
+    readModel(mesh, smooth ? ModelKind::SmoothMesh : ModelKind::FlatMesh, target);
+}
+
+std::variant<std::vector<Shape>, Complaint> ObjectsReader::modelOf(const Model& model) const {
+    const auto& [file, kind] = model;
+    const bool surface = kind == ModelKind::Surface;
+    if (!files_)
+        return Complaint{surface ? "a surface cannot be read here" : "a mesh cannot be read here",
+                         surface ? "write its patches into the scene" : "write its triangles into the scene"};
     Problems problems;
     const auto bytes = files_(file, problems);
-    if (bytes) return meshOf(*bytes, file, smooth, kMostObjects);
+    if (bytes && surface) return patchesOf(*bytes, file, kMostObjects);
+    if (bytes) return meshOf(*bytes, file, kind == ModelKind::SmoothMesh, kMostObjects);
     if (problems.empty()) return Complaint{inQuotes(file) + " is missing", "put it beside the scene"};
     return Complaint{inQuotes(file) + ": " + problems[0].what, problems[0].remedy};
 }
 
-/// Of a file that is no mesh the first mention is told.
-void ObjectsReader::readMesh(const ObjectReader& mesh, Target& target) {
+/// Of a file that is no model the first mention is told.
+void ObjectsReader::readModel(const ObjectReader& reader, ModelKind kind, Target& target) {
     std::string file;
-    bool smooth = true;
-    mesh.read("smooth", smooth);
-    if (!mesh.read("file", file) || full_) return;
-    const auto [known, isNew] = meshes_.try_emplace({file, smooth});
+    if (!reader.read("file", file) || full_) return;
+    const auto [known, isNew] = models_.try_emplace({file, kind});
     if (isNew) {
-        auto triangles = trianglesOf(file, smooth);
-        if (const auto* complaint = std::get_if<Complaint>(&triangles))
-            return report_.add(mesh.lineOf("file"), mesh.pathOf("file"), (*complaint)[0], (*complaint)[1]);
-        known->second = std::get<std::vector<Shape>>(std::move(triangles));
+        auto shapes = modelOf(known->first);
+        if (const auto* complaint = std::get_if<Complaint>(&shapes))
+            return report_.add(reader.lineOf("file"), reader.pathOf("file"), (*complaint)[0], (*complaint)[1]);
+        known->second = std::get<std::vector<Shape>>(std::move(shapes));
     }
-    if (!hasRoom(known->second.size(), mesh, target)) return;
+    if (!hasRoom(known->second.size(), reader, target)) return;
     for (const Shape& shape : known->second) {
         Object& object = target.objects.emplace_back();
-        object.line = mesh.line();
+        object.line = reader.line();
         object.material = kNoMaterial;
         object.shape = shape;
     }

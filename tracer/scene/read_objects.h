@@ -15,7 +15,7 @@ namespace gnomon {
 
 class ObjectsReader {
   public:
-    /// `files` gives meshes.
+    /// `files` gives meshes and surfaces.
     ObjectsReader(const ObjectReader& root, const std::vector<Material>& materials,
                   const std::map<std::string, int>& materialNames, const SceneFiles&, SceneReport&);
 
@@ -29,6 +29,8 @@ class ObjectsReader {
         std::vector<Object> objects;
         ObjectNames names;
     };
+    enum class ModelKind : char { FlatMesh, SmoothMesh, Surface };
+    using Model = std::pair<std::string, ModelKind>; ///< a file, and as what
     struct Definition {
         ObjectReader::Member member;
         enum class State : char { New, BeingRead, Read } state = State::New;
@@ -39,7 +41,8 @@ class ObjectsReader {
     void readGroup(const ObjectReader&, Target&);
     void readInstance(const ObjectReader&, Target&);
     void readMesh(const ObjectReader&, Target&);
-    std::variant<std::vector<Shape>, Complaint> trianglesOf(const std::string& file, bool smooth) const;
+    void readModel(const ObjectReader&, ModelKind, Target&);
+    std::variant<std::vector<Shape>, Complaint> modelOf(const Model&) const;
     void readDefinition(Definition&);
     void place(const ObjectReader& group, std::size_t from, Target&);
     void readMaterial(const ObjectReader&, std::size_t from, Target&);
@@ -53,8 +56,8 @@ class ObjectsReader {
     const SceneFiles& files_;
     SceneReport& report_;
     std::map<std::string, Definition> definitions_;
-    bool knowsDefinitions_ = false;                                     ///< all that the file names
-    std::map<std::pair<std::string, bool>, std::vector<Shape>> meshes_; ///< by file and whether it is smooth
+    bool knowsDefinitions_ = false; ///< all that the file names
+    std::map<Model, std::vector<Shape>> models_;
     UnknownNames unknownMaterials_, unknownDefinitions_;
     std::size_t made_ = 0; ///< objects, those of definitions as well
     bool full_ = false;

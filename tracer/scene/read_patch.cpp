@@ -24,9 +24,15 @@ Shape heightPatch(Heights heights, glm::dvec3 center, glm::dvec3 size) {
     return shape;
 }
 
-} // namespace
+Shape readPoints(const ObjectReader& reader) {
+    ControlPoints points{};
+    if (!reader.read("points", points)) points.fill(glm::dvec4(0, 0, 0, 1)); // what is refused may have any weights
+    glm::dvec3 low(points[0]), high = low;
+    for (const glm::dvec4& p : points) low = glm::min(low, glm::dvec3(p)), high = glm::max(high, glm::dvec3(p));
+    return spacePatch(points, 0.5 * (low + high));
+}
 
-Shape readPatch(const ObjectReader& reader, SceneReport& report) {
+Shape readHeights(const ObjectReader& reader) {
     Heights heights{};
     double seed = 0;
     glm::dvec3 center{0}, size{1};
@@ -34,7 +40,24 @@ Shape readPatch(const ObjectReader& reader, SceneReport& report) {
     reader.read("heights", heights);
     reader.read("center", center);
     reader.read("size", size);
-    const Shape shape = heightPatch(heights, center, size);
+    return heightPatch(heights, center, size);
+}
+
+} // namespace
+
+Shape spacePatch(const ControlPoints& points, glm::dvec3 anchor) {
+    return spacePatchOf(spaceNet(points, anchor), anchor);
+}
+
+Shape spacePatchOf(const SpaceNet& net, glm::dvec3 anchor) {
+    const double radius = 0.5 * glm::distance(net.low, net.high);
+    Shape shape = makeShape(ShapeKind::SpacePatch, {anchor, anchor + 0.5 * (net.low + net.high)}, {radius});
+    shape.net = std::make_shared<const SpaceNet>(net);
+    return shape;
+}
+
+Shape readPatch(const ObjectReader& reader, SceneReport& report) {
+    const Shape shape = reader.has("points") ? readPoints(reader) : readHeights(reader);
     if (!reader.sound()) return shape;
     if (const auto [what, remedy] = shapeRow(shape.kind).check(shape); !what.empty())
         report.add(reader.line(), reader.path(), what, remedy);

@@ -6,6 +6,10 @@
 
 namespace gnomon {
 
+/// The shape of a net of control points about an anchor.
+Shape spacePatch(const ControlPoints&, glm::dvec3 anchor);
+Shape spacePatchOf(const SpaceNet&, glm::dvec3 anchor);
+
 /// What stands under "patch".
 Shape readPatch(const ObjectReader&, SceneReport&);
 

@@ -184,9 +184,11 @@ std::optional<TextureUse> SceneReader::readTexture(const ObjectReader& material,
 }
 
 void collectFiles(const JsonValue& value, std::vector<std::string>& files) {
-    const JsonValue* mesh = value.kind == JsonValue::Kind::Object ? value.find("mesh") : nullptr;
-    const JsonValue* file = mesh && mesh->kind == JsonValue::Kind::Object ? mesh->find("file") : nullptr;
-    if (file && std::find(files.begin(), files.end(), file->text) == files.end()) files.push_back(file->text);
+    for (const char* key : {"mesh", "surface"}) {
+        const JsonValue* model = value.kind == JsonValue::Kind::Object ? value.find(key) : nullptr;
+        const JsonValue* file = model && model->kind == JsonValue::Kind::Object ? model->find("file") : nullptr;
+        if (file && std::find(files.begin(), files.end(), file->text) == files.end()) files.push_back(file->text);
+    }
     for (const JsonValue& child : value.children) collectFiles(child, files);
 }
 

@@ -343,13 +343,23 @@ const ObjectFormat& meshFormat() {
 
 const ObjectFormat& patchFormat() {
     static const ObjectFormat format{
-        "A bicubic Bézier surface over a rectangle: at (u, v) x = center.x + (u - 1/2) size.x, y = center.y + height "
-        "size.y, z = center.z + (v - 1/2) size.z",
+        "A bicubic Bézier surface, over a rectangle or in space. Over one, at (u, v), x = center.x + (u - 1/2) size.x, "
+        "y = center.y + height size.y, z = center.z + (v - 1/2) size.z",
         {{"heights", Numbers, kCoordinate, "Of its net of 4 x 4 control points, row by row along u"},
          {"random", Number, kSeed, "A seed: random heights, each of which moves the surface by at most 1"},
+         {"points", Points, kCoordinate, "Its 4 x 4 control points in space, row by row along u, all with weights or none"},
          {"center", Vector, kCoordinate, "Where the middle of the rectangle lies at height 0; default [0, 0, 0]"},
          {"size", Scales, kLength, "Factors of all lengths, or [x, y, z]; default 1"}},
-        {{"net", {"heights", "random"}, true}}};
+        {{"net", {"heights", "random", "points"}, true}},
+        {},
+        {{"points", {"center", "size"}, "points lie where they say", "move the patch by a group, or remove this"}}};
+    return format;
+}
+
+const ObjectFormat& surfaceFormat() {
+    static const ObjectFormat format{
+        "The bicubic Bézier patches of a BPT file",
+        {{"file", File, kFile, "The file, beside the scene or in a folder beside it", true}}};
     return format;
 }
 
@@ -365,6 +375,7 @@ const ObjectFormat& objectFormat() {
              FieldFormat{"instance", Object, kAny, "What \"definitions\" has under a name", false, &instanceFormat()},
              FieldFormat{"mesh", Object, kAny, "Triangles from a file", false, &meshFormat()},
              FieldFormat{"patch", Object, kAny, "A bicubic Bézier surface", false, &patchFormat()},
+             FieldFormat{"surface", Object, kAny, "Such surfaces from a file", false, &surfaceFormat()},
          }) {
         format.fields.push_back(field);
         format.alternatives.front().keys.push_back(field.key);
@@ -380,7 +391,7 @@ const ObjectFormat& objectFormat() {
         format.fields.push_back(field);
     format.exclusions = {
         {"name",
-         {"group", "instance", "mesh"},
+         {"group", "instance", "mesh", "surface"},
          "only a single object has a name",
          "remove it, or name an object inside"},
         {"glow", format.alternatives.front().keys, "only spheres can glow", "remove \"glow\" or use a sphere"}};

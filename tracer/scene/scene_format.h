@@ -21,6 +21,7 @@ enum class ValueType {
     Colors,    ///< two of these
     Vertices,  ///< three [x, y, z]
     Numbers,   ///< sixteen
+    Points,    ///< sixteen [x, y, z], or all with a weight
     Text,      ///< `range` characters
     Image,     ///< an image's name: a file in the scene's folder or below; `range` characters
     Panorama,  ///< the same, which may hold light beyond white
@@ -33,6 +34,9 @@ enum class ValueType {
     Map,  ///< `range` objects of `format`, under names of kName characters
     Ignored,
 };
+
+/// Of a control point.
+inline constexpr Range kWeight{1e-3, 1e3};
 
 struct ObjectFormat;
 

@@ -37,6 +37,13 @@ Json imageSchema(ValueType type) {
 
 Json either(const Json& one, const Json& other) { return {{"anyOf", Json::array({one, other})}}; }
 
+/// Sixteen points with their weights.
+Json weightedSchema(const Json& number) {
+    Json point = tupleSchema(number, 4);
+    point["prefixItems"] = Json::array({number, number, number, numberSchema(kWeight)});
+    return tupleSchema(point, 16);
+}
+
 Json listSchema(const FieldFormat& field) {
     return {{"type", "array"},
             {"minItems", int(field.range.min)},
@@ -71,6 +78,7 @@ Json valueSchema(const FieldFormat& field) {
     case ValueType::Colors: return tupleSchema(either(number, tupleSchema(number, 3)), 2);
     case ValueType::Vertices: return tupleSchema(tupleSchema(number, 3), 3);
     case ValueType::Numbers: return tupleSchema(number, 16);
+    case ValueType::Points: return either(tupleSchema(tupleSchema(number, 3), 16), weightedSchema(number));
     case ValueType::Text: return textSchema(field.range);
     case ValueType::Image:
     case ValueType::Panorama: return imageSchema(field.type);

@@ -67,12 +67,20 @@ Complaint checkHeightPatch(const Shape& shape) {
     const glm::dvec3 size = pointOf(shape, "size");
     const double longest = std::max({size.x, size.y, size.z}), shortest = std::min(size.x, size.z);
     constexpr double kLongest = 1e6;
-    if (size.y > kLongest)
-        return {"its heights span " + toString(size.y), "keep them within " + toString(kLongest)};
+    if (size.y > kLongest) return {"its heights span " + toString(size.y), "keep them within " + toString(kLongest)};
     if (longest <= kMostRatio * shortest) return {};
     return {"its longest side, " + toString(longest) + ", is over " + toString(kMostRatio) +
                 " times the shorter side of its rectangle, " + toString(shortest),
             "use sizes and heights that differ less"};
+}
+
+/// What the shader forms of its size keeps its digits.
+Complaint checkSpacePatch(const Shape& shape) {
+    constexpr double kSmallest = 1e-6, kLargest = 1e6;
+    const double radius = lengthOf(shape, "radius");
+    if (radius >= kSmallest && radius <= kLargest) return {};
+    return {"its surface reaches " + toString(radius) + " from its middle",
+            "keep that from " + toString(kSmallest) + " to " + toString(kLargest)};
 }
 
 Extent about(glm::dvec3 center, glm::dvec3 reach) { return {center - reach, center + reach}; }
@@ -122,6 +130,11 @@ Extent rotatedExtent(const Shape& s, glm::dvec3 half) {
 
 Extent rotatedBoxExtent(const Shape& s) { return rotatedExtent(s, pointOf(s, "half_size")); }
 Extent heightPatchExtent(const Shape& s) { return rotatedExtent(s, 0.5 * pointOf(s, "size")); }
+
+Extent spacePatchExtent(const Shape& s) {
+    const glm::dvec3 anchor = pointOf(s, "anchor");
+    return {anchor + s.net->low, anchor + s.net->high};
+}
 
 Extent cylinderExtent(const Shape& s) {
     const glm::dvec3 from = pointOf(s, "from"), to = pointOf(s, "to");
@@ -220,6 +233,11 @@ constexpr ShapeRow kRows[] = {
       {"size", Lengths, "Sides of that box before it is rotated"},
       {"rotate", Rotation, "Of the box"}},
      checkHeightPatch, heightPatchExtent, false, true},
+    {ShapeKind::SpacePatch, "space_patch",
+     {{"anchor", Point, "What its control points are relative to"},
+      {"center", Point, "Centre of a sphere about it"},
+      {"radius", Length, "Radius of that sphere"}},
+     checkSpacePatch, spacePatchExtent, false, true},
     {ShapeKind::Solid, "solid",
      {{"center", Point, "Centre of its bounding sphere"},
       {"radius", Length, "Radius of that sphere"}},
@@ -342,6 +360,11 @@ double inFloat(double x) {
 
 Shape inFloat(Shape shape) {
     for (double& value : shape.values) value = inFloat(value);
+    if (shape.net) {
+        SpaceNet net = *shape.net;
+        for (glm::dvec4& p : net.points) p = {inFloat(p.x), inFloat(p.y), inFloat(p.z), inFloat(p.w)};
+        shape.net = std::make_shared<const SpaceNet>(net);
+    }
     if (!shape.heights) return shape;
     Heights heights = *shape.heights;
     for (double& height : heights) height = inFloat(height);

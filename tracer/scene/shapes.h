@@ -6,6 +6,7 @@
 #pragma once
 
 #include "tracer/scene/height_patch.h"
+#include "tracer/scene/space_patch.h"
 
 #include <glm/glm.hpp>
 
@@ -19,8 +20,8 @@
 namespace gnomon {
 
 /// Those that scene files name, then those that only drawing knows: a huge sphere as a large sphere; a box along axes
-/// of its own; a triangle whose corners have normals and image coordinates; a surface over a rectangle, which files call
-/// a patch; several shapes, and a Mandelbulb, which has only a distance, as a solid.
+/// of its own; a triangle whose corners have normals and image coordinates; a surface over a rectangle or in space,
+/// which files call a patch; several shapes, and a Mandelbulb, which has only a distance, as a solid.
 enum class ShapeKind {
     Sphere,
     Plane,
@@ -37,6 +38,7 @@ enum class ShapeKind {
     RotatedBox,
     SmoothTriangle,
     HeightPatch,
+    SpacePatch,
     Solid
 };
 inline constexpr int kShapeKinds = int(ShapeKind::Solid) + 1;
@@ -128,6 +130,7 @@ struct Shape {
     glm::dvec3 home{0};                       ///< where the middle of a solid rests
     std::shared_ptr<const Corners> corners{}; ///< of a smooth triangle
     std::shared_ptr<const Heights> heights{}; ///< of a height patch, over the box's height: from -1/2 to 1/2
+    std::shared_ptr<const SpaceNet> net{};    ///< of a patch in space
 };
 
 /// Vectors and scalars as the table has them, each in its order.

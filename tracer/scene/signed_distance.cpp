@@ -150,7 +150,7 @@ double fieldOf(const SolidNode& node, glm::dvec3 p) {
 
 bool boundsBody(ShapeKind kind) {
     return kind != ShapeKind::Disc && kind != ShapeKind::Triangle && kind != ShapeKind::SmoothTriangle &&
-           kind != ShapeKind::HeightPatch;
+           kind != ShapeKind::HeightPatch && kind != ShapeKind::SpacePatch;
 }
 
 double signedDistance(const Shape& shape, glm::dvec3 p) {
@@ -172,7 +172,8 @@ double signedDistance(const Shape& shape, glm::dvec3 p) {
     case ShapeKind::Disc: return discDistance(shape, p);
     case ShapeKind::Triangle:
     case ShapeKind::SmoothTriangle: return triangleDistance(shape, p);
-    case ShapeKind::HeightPatch: // is no part of a solid and bounds no body
+    case ShapeKind::HeightPatch: // are no part of a solid and bound no body
+    case ShapeKind::SpacePatch:
     case ShapeKind::LargeSphere: break; // that is only how a sphere is drawn
     }
     return kInfinity;

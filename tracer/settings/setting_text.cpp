@@ -9,9 +9,6 @@
 
 namespace gnomon {
 
-namespace {
-
-/// The shortest decimal text that reads back as `value`.
 std::string numberText(double value) {
     char text[40];
     for (int digits = 7; digits <= 17; ++digits) {
@@ -22,6 +19,8 @@ std::string numberText(double value) {
     if (auto plus = shortest.find('+'); plus != std::string::npos) shortest.erase(plus, 1); // a blank in URLs
     return shortest;
 }
+
+namespace {
 
 std::string quoted(std::string_view text) { return std::string("'").append(text).append("'"); }
 

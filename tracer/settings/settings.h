@@ -37,6 +37,14 @@ enum class Accel { Auto, None, Hierarchy };
 /// always, never.
 enum class Variants { Auto, On, Off };
 
+/// How rays find parametric surfaces: in a baked field of their distance, or as they are.
+enum class SurfaceMode { Field, Patch };
+/// How distances to such a surface are worked out: exactly, or by one of the third source's ways.
+enum class FieldMethod { Exact, Adamax, Adam, Gradient, Brute, Lipschitz };
+enum class FieldFormat { R32f, R16f };
+/// How rays go through a field.
+enum class FieldMarch { Sphere, Relaxed, Voxel };
+
 /// All settings with their defaults. What is optional and unset comes from the scene.
 struct Settings {
     int depth = 4;
@@ -49,6 +57,17 @@ struct Settings {
     std::optional<double> lightRadius;
     March march = March::Cone;
     int marchSteps = 256;
+    SurfaceMode surface = SurfaceMode::Patch;
+    FieldMethod fieldMethod = FieldMethod::Exact;
+    int fieldResolution = 64; ///< samples along each axis
+    FieldFormat fieldFormat = FieldFormat::R32f;
+    int fieldIterations = 25, fieldStarts = 10;                    ///< of the descents
+    double fieldRate = 0.005, fieldBeta1 = 0.9, fieldBeta2 = 0.99; ///< of these, too
+    int fieldSamples = 64;                                         ///< that brute force takes along u and v
+    double lipschitz = 0;                                          ///< 0: what bounds the slope of each surface
+    FieldMarch fieldMarch = FieldMarch::Sphere;
+    int fieldSteps = 256;
+    double fieldEpsilon = 0.001, fieldRelaxation = 1.4;
     bool glow = true;
     bool normalMaps = true;
     int colorMode = 5; ///< index into colorModes(): 5 = rgb
@@ -71,7 +90,7 @@ struct Settings {
 };
 
 /// What a change of a setting asks of the renderer.
-enum class Effect { Uniform, Rebuild, Resize, Host };
+enum class Effect { Uniform, Rebuild, Bake, Resize, Host };
 
 struct BoolType {
     bool Settings::*at;
@@ -133,6 +152,8 @@ const SettingRow* findSetting(std::string_view key);
 /// The 27 channel triples rrr … bbb.
 std::span<const std::string_view> colorModes();
 
+/// The shortest decimal text that reads back as `value`.
+std::string numberText(double value);
 /// The setting's value as text, such that setFromText gives it back; empty for an optional that is unset.
 std::string textOf(const SettingRow&, const Settings&);
 /// Values the setting takes, for people: `1…8`, `on|off`, `off|hard`.

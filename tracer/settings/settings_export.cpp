@@ -1,58 +1,85 @@
 /// The table as others read it: URL, JSON, Markdown.
 #include "tracer/settings/settings.h"
 
-#include <nlohmann/json.hpp>
-
 #include <cstdio>
 
 namespace gnomon {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+// Written by hand: a JSON library's writer would be 3 KB of what each visitor of the page downloads.
 
-struct ToJson {
-    Json& row;
+/// No control characters: there are none in the table.
+std::string jsonText(std::string_view text) {
+    std::string quoted = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') quoted += '\\';
+        quoted += c;
+    }
+    return quoted + '"';
+}
+
+std::string listOf(const std::vector<std::string_view>& words) {
+    std::string list;
+    for (const auto word : words) list.append(list.empty() ? "" : ", ").append(jsonText(word));
+    return '[' + list + ']';
+}
+
+/// A JSON object, member by member.
+class ObjectText {
+  public:
+    void put(std::string_view key, std::string_view json) {
+        text_.append(text_.empty() ? "{" : ",").append("\n    ").append(jsonText(key)).append(": ").append(json);
+    }
+    std::string text() const { return text_ + "\n  }"; }
+
+  private:
+    std::string text_;
+};
+
+struct PutType {
+    ObjectText& row;
     const std::string standard; ///< the default as text
     const Settings defaults{};
 
-    void operator()(const BoolType& type) { put("bool", defaults.*type.at); }
+    void operator()(const BoolType& type) { put("bool", defaults.*type.at ? "true" : "false"); }
     void operator()(const IntType& type) {
-        put("int", defaults.*type.at);
+        put("int", standard);
         limits(type.min, type.max);
     }
     void operator()(const RealType& type) {
-        put("real", defaults.*type.at);
+        put("real", standard);
         limits(type.min, type.max);
     }
     void operator()(const OptionalRealType& type) {
-        put("real", nullptr);
+        put("real", "null");
         limits(type.min, type.max);
     }
     void operator()(const OptionalPointType& type) {
-        put("point", nullptr);
+        put("point", "null");
         limits(-type.limit, type.limit);
     }
     void operator()(const SizeType& type) {
-        put("size", standard);
+        put("size", jsonText(standard));
         limits(type.min, type.max);
     }
     void operator()(const ChoiceType& type) {
-        put("choice", standard);
-        row["names"] = type.names;
-        for (const auto& [was, is] : type.renamed) row["renamed"][std::string(was)] = is;
+        put("choice", jsonText(standard));
+        row.put("names", listOf(type.names));
+        std::string renamed;
+        for (const auto& [was, is] : type.renamed)
+            renamed.append(renamed.empty() ? "{" : ", ").append(jsonText(was)).append(": ").append(jsonText(is));
+        if (!renamed.empty()) row.put("renamed", renamed + '}');
     }
 
   private:
-    template<class T>
-    void put(const char* name, T value) {
-        row["type"] = name;
-        row["default"] = value;
+    void put(std::string_view name, std::string_view json) {
+        row.put("type", jsonText(name));
+        row.put("default", json);
     }
-    template<class T>
-    void limits(T min, T max) {
-        row["min"] = min;
-        row["max"] = max;
+    void limits(double min, double max) {
+        row.put("min", numberText(min));
+        row.put("max", numberText(max));
     }
 };
 
@@ -60,6 +87,7 @@ const char* effectName(Effect effect) {
     switch (effect) {
     case Effect::Uniform: return "uniform";
     case Effect::Rebuild: return "rebuild";
+    case Effect::Bake: return "bake";
     case Effect::Resize: return "resize";
     case Effect::Host: break;
     }
@@ -106,21 +134,21 @@ std::string toUrlQuery(const Settings& settings) {
 }
 
 std::string settingsJson() {
-    Json table = Json::array();
+    std::string table;
     for (const auto& row : settingsTable()) {
-        Json entry;
-        entry["key"] = row.key;
-        if (!row.aliases.empty()) entry["aliases"] = row.aliases;
-        std::visit(ToJson{entry, textOf(row, {})}, row.type);
-        entry["range"] = rangeOf(row);
-        if (row.step > 0) entry["step"] = row.step;
-        entry["group"] = row.group;
-        entry["help"] = row.help;
-        entry["hotkeys"] = hotkeysOf(row);
-        entry["effect"] = effectName(row.effect);
-        table.push_back(std::move(entry));
+        ObjectText entry;
+        entry.put("key", jsonText(row.key));
+        if (!row.aliases.empty()) entry.put("aliases", listOf(row.aliases));
+        std::visit(PutType{entry, textOf(row, {})}, row.type);
+        entry.put("range", jsonText(rangeOf(row)));
+        if (row.step > 0) entry.put("step", numberText(row.step));
+        entry.put("group", jsonText(row.group));
+        entry.put("help", jsonText(row.help));
+        entry.put("hotkeys", listOf(hotkeysOf(row)));
+        entry.put("effect", jsonText(effectName(row.effect)));
+        table.append(table.empty() ? "[\n  " : ",\n  ").append(entry.text());
     }
-    return table.dump(2);
+    return table + "\n]";
 }
 
 std::string settingsMarkdown() {

@@ -22,13 +22,18 @@ void bindInterface(const CachedProgram& entry) {
     glUseProgram(program.get());
     program.bindBlock("Frame", kFrameBinding);
     program.bindBlock("SceneBlock", kSceneBinding);
+    program.bindBlock("Bake", kBakeBinding);
     program.bindSampler("sceneData", kDataUnit);
     program.bindSampler("sky", kSkyUnit);
     program.bindSampler("panorama", kSkyUnit);
     program.bindSampler("paints", kPaintUnit);
     program.bindSampler("normals", kNormalUnit);
+    program.bindSampler("fields", kFieldUnit);
     program.bindSampler("covered", kCoverageUnit);
     program.bindSampler("picture", kPictureUnit);
+    program.bindSampler("cellHeights", kCellUnit);
+    program.bindSampler("cellSlopes", kCellUnit + 1);
+    program.bindSampler("bricks", kBrickUnit);
 }
 
 /// Its context is not gone with it.

@@ -19,8 +19,9 @@
 namespace gnomon {
 
 /// Binding points and texture units that all programs use.
-inline constexpr GLuint kFrameBinding = 0, kSceneBinding = 1;
+inline constexpr GLuint kFrameBinding = 0, kSceneBinding = 1, kBakeBinding = 2;
 inline constexpr int kDataUnit = 0, kSkyUnit = 1, kPaintUnit = 2, kNormalUnit = 3, kCoverageUnit = 4, kPictureUnit = 5;
+inline constexpr int kCellUnit = 6, kBrickUnit = 8, kFieldUnit = 9; ///< cells have two
 
 enum class CompileState { Compiling, Ready, Failed };
 

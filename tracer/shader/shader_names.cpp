@@ -51,7 +51,7 @@ void addShape(const KindCount& kind, Names& names) {
     names.values[type + "_SOLID"] = kind.solid != nullptr;
     names.values[type + "_ESTIMATED"] = estimates;
     // Silhouettes have no cover of its outline.
-    const bool rayCover = estimates || kind.kind == ShapeKind::HeightPatch;
+    const bool rayCover = estimates || kind.kind == ShapeKind::HeightPatch || kind.kind == ShapeKind::SpacePatch;
     names.values[type + "_RAY_COVER"] = rayCover;
     names.values["RAY_COVERED_CASTERS"] |= int(kind.casters > 0 && rayCover);
     names.values["MARCHED_CASTERS"] |= int(kind.casters > 0 && kind.solid && !estimates);
@@ -115,6 +115,12 @@ Names namesOf(const Plan& plan) {
         {"MARCH_SPHERE", int(March::Sphere)},
         {"MARCH_CONE", int(March::Cone)},
         {"MARCH_RELAXED", int(March::Relaxed)},
+        {"FIELDS", f.fields},
+        {"FILTERED_FIELDS", plan.target.floatFilter},
+        {"SURFACE_IN_FIELD", f.surfaceInField},
+        {"FIELD_MARCH", int(f.fieldMarch)},
+        {"FIELD_MARCH_VOXEL", int(FieldMarch::Voxel)},
+        {"FIELD_MARCH_RELAXED", int(FieldMarch::Relaxed)},
         {"OUTPUT", int(f.output)},
         {"COLOR", int(Aov::Color)},
         {"DISTANCE", int(Aov::Distance)},

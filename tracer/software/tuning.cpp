@@ -27,6 +27,7 @@ CodegenTarget targetOf(const gl::Info& info) {
     CodegenTarget target;
     target.es300 = info.essl300;
     target.floatTargets = info.floatTargets;
+    target.floatFilter = info.floatFilter;
     target.blockTexels = info.maxUniformBlockSize / int(sizeof(glm::vec4));
     return tunedFor(rasteriser, int(info.maxPointSize), target);
 }

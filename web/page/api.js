@@ -23,7 +23,8 @@ export function makeApi() {
     sharp: (ms) => void (api.sharpFrameMs = ms),
 
     /** @param page what connect() in main.js makes */
-    open({ tracer, session, set, load, numerics }) {
+    open(page) {
+      const { tracer, session, set, load, numerics } = page;
       const check = (problems) => {
         if (problems) throw new Error(problems);
       };
@@ -82,27 +83,17 @@ export function makeApi() {
             return { frames, medianMs: median(times), minMs: Math.min(...times), maxMs: Math.max(...times) };
           }),
 
-        /** @param options see docs/page.md; the module loads when it is first asked for */
-        compare: async (options) => (await import('./compare.js')).compare({ tracer, session }, options),
+        // These load when they are first asked for.
+        compare: async (options) => (await import('./compare.js')).compare(page, options),
 
         numerics,
-
-        traceRays: (scene, rays) =>
-          session.withContext(() => {
-            const numbers = Float32Array.from(rays);
-            if (numbers.length % 8)
-              throw new Error(`${numbers.length} numbers are no rays: each has 8, see docs/page.md`);
-            const text = typeof scene === 'string' ? scene : JSON.stringify(scene);
-            const { problems, answers } = tracer.traceRays(text, numbers);
-            check(problems);
-            return answers;
-          }),
+        traceRays: async (scene, rays) => (await import('./lab.js')).traceRays(page, scene, rays),
 
         stats: () => ({
           compileMs: tracer.compileMs(),
           sourceBytes: tracer.sourceBytes(),
           glObjects: tracer.liveGlObjects(),
-          renderer: session.renderer(),
+          renderer: tracer.renderer(),
         }),
         source: () => tracer.source(),
 

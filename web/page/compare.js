@@ -3,8 +3,9 @@
 // What is drawn, when, and what becomes of the numbers is decided in C++ (lab/bench/bench_run.h). Here are the loop,
 // which lets the page live between samples, and what only a browser knows.
 
-import { BenchStep, benchOf } from './compare_calls.js';
+import { BenchStep } from './lab_calls.js';
 import { fetchImage, fetchScene, fetchSceneIndex, giveFiles, handImage } from './load.js';
+import { inLab } from './lab.js';
 
 const standardRounds = 15,
   mostRounds = 10_000;
@@ -62,10 +63,10 @@ export function contextName(agent = navigator.userAgent) {
   return `webgl2-${names.find(([pattern]) => pattern.test(agent))?.[1] ?? 'browser'}`;
 }
 
-function environmentOf(session, step) {
+function environmentOf(lab, step) {
   return [
     ['date', `${new Date().toISOString().slice(0, 16).replace('T', ' ')} UTC`],
-    ['renderer', session.renderer()],
+    ['renderer', lab.renderer()],
     ['processor', `${navigator.hardwareConcurrency} threads`],
     ['system', navigator.userAgentData?.platform || navigator.platform],
     ['browser', navigator.userAgent],
@@ -138,50 +139,51 @@ let underWay = false;
 
 /**
  * Measures; answers a promise of an object in the format of docs/results.md. Options: docs/page.md.
- * @param page { tracer, session }
+ * @param page { session, task }
  */
-export async function compare({ tracer, session }, options = {}) {
-  const bench = benchOf(tracer);
+export async function compare(page, options = {}) {
   const asked = readOptions(options);
   if (underWay) throw new Error(`${asked.place}: frame rates are being compared already; wait until that is done`);
   underWay = true;
   try {
-    check(
-      bench.plan(
-        asked.scenes.map(({ name }) => name).join('\n'),
-        asked.values.map((pair) => `${pair.join('=')}\n`).join(''),
-        asked.baseline,
-        asked.place,
-      ),
-    );
-    const plan = bench.planned();
-    asked.onprogress({ stage: 'planned', ...plan });
-    const listed = (await fetchSceneIndex()).map(({ name }) => name);
-    for (const name of plan.scenes) await giveScene(name, listed);
-    return await session.alone(async () => {
-      const step = clockStep();
-      check(await session.withContext(() => bench.begin(step, session.renderer())));
-      asked.leaveOut.forEach(bench.leaveOut);
-      return measure({ bench, session, asked, plan, step });
+    return await inLab(page, async (lab) => {
+      const plan = await prepare(lab, asked);
+      return page.session.alone(() => measure(lab, asked, plan));
     });
   } finally {
-    bench.end();
     underWay = false;
   }
+}
 
-  async function giveScene(name, listed) {
+/** Gives the laboratory plan, scenes and images; answers what is planned. */
+async function prepare(lab, asked) {
+  check(
+    lab.plan(
+      asked.scenes.map(({ name }) => name).join('\n'),
+      asked.values.map((pair) => `${pair.join('=')}\n`).join(''),
+      asked.baseline,
+      asked.place,
+    ),
+  );
+  const plan = lab.planned();
+  asked.onprogress({ stage: 'planned', ...plan });
+  const listed = (await fetchSceneIndex()).map(({ name }) => name);
+  for (const name of plan.scenes) {
     let { text } = asked.scenes.find((scene) => scene.name === name);
     if (text === undefined && listed.length && !listed.includes(name))
       throw new Error(`${asked.place}: scenes: there is no scene '${name}'; there are ${listed.join(', ')}`);
     text ??= await fetchScene(name);
-    await giveFiles(tracer, text);
-    check(bench.scene(text, name));
-    for (const image of bench.imageNames())
-      check(await handImage(bench, image, await fetchImage(image, () => {})));
+    await giveFiles(lab, text);
+    check(lab.scene(text, name));
+    for (const image of lab.imageNames()) check(await handImage(lab, image, await fetchImage(image, () => {})));
   }
+  return plan;
 }
 
-async function measure({ bench, session, asked, plan, step }) {
+async function measure(lab, asked, plan) {
+  const step = clockStep();
+  check(lab.begin(step));
+  asked.leaveOut.forEach(lab.leaveOut);
   const deadline = performance.now() + asked.limit * 1000;
   const leftOut = asked.leaveOut.map((row) => `${plan.rows[row]}: left out`);
   const stopped = () => asked.signal?.aborted ?? false;
@@ -193,34 +195,34 @@ async function measure({ bench, session, asked, plan, step }) {
   };
 
   const results = () => {
-    const rounds = bench.rounds();
+    const rounds = lab.rounds();
     const ended = stopped()
       ? '; interrupted'
       : rounds < asked.repeats && asked.browserSession === asked.browserSessions
         ? '; ended by the limit'
         : '';
     const environment = [
-      ...environmentOf(session, step),
+      ...environmentOf(lab, step),
       ...(leftOut.length ? [['left out', leftOut.join(' · ')]] : []),
       ['rounds', `${asked.context} ${rounds} of ${asked.repeats}${ended}`],
     ];
     const lines = environment.map(([name, value]) => `${name}=${value.replaceAll('\n', ' ')}\n`).join('');
-    return bench.results(asked.context, asked.contexts.join('\n'), lines, commandOf(asked, plan));
+    return lab.results(asked.context, asked.contexts.join('\n'), lines, commandOf(asked, plan));
   };
 
   const tellRound = () => {
     const all = results();
-    asked.onround(all, bench.series());
+    asked.onround(all, lab.series());
     return all;
   };
 
   /** True once there is a context. The row that was drawn when it went is left out: see BenchRun::contextLost(). */
   const contextBack = async () => {
-    complain(`${plan.rows[bench.row()]}: the graphics context was lost while this was drawn`);
+    complain(`${plan.rows[lab.row()]}: the graphics context was lost while this was drawn`);
     const end = performance.now() + restoreMs;
-    while (!session.alive && performance.now() < end) await pause(20);
-    if (!session.alive) complain('the browser does not give the graphics context back');
-    return session.alive;
+    while (!lab.alive && performance.now() < end) await pause(20);
+    if (!lab.alive) complain('the browser does not give the graphics context back');
+    return lab.alive;
   };
 
   /** Steps until all is done: true; or until the user stops it, or there is nothing to draw with. */
@@ -228,11 +230,11 @@ async function measure({ bench, session, asked, plan, step }) {
     const start = performance.now();
     for (let done = 0; ;) {
       if (stopped()) return false;
-      if (!session.alive && !(await contextBack())) return false;
+      if (!lab.alive && !(await contextBack())) return false;
       const made = next();
-      if (!session.alive) continue;
-      const problems = bench.problems();
-      if (problems) complain(`${plan.rows[bench.row()]}: ${problems.trim()}`);
+      if (!lab.alive) continue;
+      const problems = lab.problems();
+      if (problems) complain(`${plan.rows[lab.row()]}: ${problems.trim()}`);
       if (made === BenchStep.finished) return true;
       if (made === BenchStep.working) {
         await pause(1);
@@ -241,25 +243,25 @@ async function measure({ bench, session, asked, plan, step }) {
       done += 1;
       const left = ((performance.now() - start) / done) * (all - done);
       const secondsLeft = Math.max(0, Math.min(left, deadline - performance.now())) / 1000;
-      asked.onprogress({ stage, done, all, secondsLeft, row: plan.rows[bench.row()], number: bench.row() });
+      asked.onprogress({ stage, done, all, secondsLeft, row: plan.rows[lab.row()], number: lab.row() });
       await breathe();
     }
   };
 
   let rounds = 0;
-  const measure = () => {
-    if (bench.rounds() > rounds + 1) {
-      rounds = bench.rounds() - 1;
+  const draw = () => {
+    if (lab.rounds() > rounds + 1) {
+      rounds = lab.rounds() - 1;
       tellRound();
     }
-    return bench.measure();
+    return lab.step();
   };
-  if (await stepThrough('compiling', plan.rows.length, bench.prepare)) {
-    if (asked.earlier) check(bench.continueFrom(asked.earlier));
-    rounds = bench.rounds();
+  if (await stepThrough('compiling', plan.rows.length, lab.prepare)) {
+    if (asked.earlier) check(lab.continueFrom(asked.earlier));
+    rounds = lab.rounds();
     const here = Math.max(1, Math.ceil((asked.repeats * asked.browserSession) / asked.browserSessions) - rounds);
-    bench.start(here, asked.browserSessions, Math.max(0, deadline - performance.now()) / 1000);
-    await stepThrough('drawing', bench.drawn() * (here + 1), measure);
+    lab.start(here, asked.browserSessions, Math.max(0, deadline - performance.now()) / 1000);
+    await stepThrough('drawing', lab.drawn() * (here + 1), draw);
   }
   return tellRound();
 }

@@ -101,14 +101,14 @@ function openReport() {
 
 /**
  * Makes the dialog; answers show().
- * @param page { tracer, session, sceneNames: Promise of names }
+ * @param page { tracer, session, task, sceneNames: Promise of names }
  */
-export async function makeCompareDialog({ tracer, session, sceneNames }) {
+export async function makeCompareDialog(page) {
   const style = make('link', { rel: 'stylesheet', href: new URL('compare.css', import.meta.url) });
   const styled = new Promise((resolve) => (style.onload = style.onerror = resolve));
   document.head.append(style);
 
-  const table = tracer.table();
+  const table = page.tracer.table();
   const close = make('button', { className: 'close', type: 'button', textContent: '×' });
   close.setAttribute('aria-label', 'Close');
   const content = make('div', { className: 'content' });
@@ -125,7 +125,7 @@ export async function makeCompareDialog({ tracer, session, sceneNames }) {
 
   // --- what to draw --------------------------------------------------------------------------------------------------
 
-  const names = await sceneNames;
+  const names = await page.sceneNames;
   const count = make('p', { className: 'count' });
   const start = make('button', { className: 'main', textContent: 'Start' });
   const limit = make(
@@ -188,10 +188,13 @@ export async function makeCompareDialog({ tracer, session, sceneNames }) {
     try {
       const options = Object.fromEntries(Object.keys(chosenAtFirst).map((name) => [name, chosen(name)]));
       showResults(
-        await compare(
-          { tracer, session },
-          { ...options, repeats: undefined, limit: Number(limit.value), signal: stop.signal, onprogress },
-        ),
+        await compare(page, {
+          ...options,
+          repeats: undefined,
+          limit: Number(limit.value),
+          signal: stop.signal,
+          onprogress,
+        }),
       );
     } catch (error) {
       content.replaceChildren(make('p', { className: 'wrong', role: 'alert', textContent: error.message }), form);

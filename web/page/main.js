@@ -11,7 +11,7 @@ import { makeApi } from './api.js';
 import { makeHelp } from './help.js';
 import { makePanel } from './panel.js';
 import { messages } from './messages.js';
-import { numericsOf, whenCalm } from './numerics.js';
+import { numericsOf, numericsWhenCalm } from './numerics.js';
 import { progressBar } from './progress.js';
 import { sceneChooser } from './scenes.js';
 import { showNumerics, showReadout } from './readout.js';
@@ -52,7 +52,9 @@ async function start() {
   listen(page);
   watch(page);
   api.open(page);
-  whenCalm(page, page.numerics);
+  numericsWhenCalm(page).catch(({ message }) =>
+    showNumerics({ measured: false, summary: `numerics not measured: ${message}` }),
+  );
 
   // The panel comes after the first picture: nobody waits for it.
   await page.session.settled().catch(() => {});
@@ -167,12 +169,12 @@ function connect(tracer, sceneIndex) {
     if (startsPaused && !asks('pause')) say.note('Paused, as your system asks for little motion');
   };
 
-  const numerics = numericsOf({ tracer, session }, (found) => {
+  const numerics = numericsOf({ task }, (found) => {
     showNumerics(found);
     if (found.measured && !found.holds) say.problem(found.summary);
   });
 
-  return { tracer, session, address, set, load, loadFirst, numerics, sceneNames: scenes.names() };
+  return { tracer, session, task, address, set, load, loadFirst, numerics, sceneNames: scenes.names() };
 }
 
 /** A change by hand: what is wrong with it stands on the page. */
@@ -185,7 +187,7 @@ function change({ set }, key, text) {
 /** Keys, pointers, stick and buttons. */
 function listen(page) {
   const { tracer, session, address } = page;
-  const about = () => [`Drawn by ${session.renderer()}`, $('numerics').title].filter(Boolean).join('; ');
+  const about = () => [`Drawn by ${tracer.renderer()}`, $('numerics').title].filter(Boolean).join('; ');
   const help = makeHelp($('help'), tracer.table(), about);
   const own = {
     H: help,

@@ -1,6 +1,6 @@
 // The loading bar: the mean of all tasks begun, with the label of the oldest one that is not done.
 
-/** @returns task(label) → { at(fraction), done() } */
+/** @returns task(label) → { at(fraction), named(label), done() } */
 export function progressBar(bar, label) {
   const tasks = new Set();
   let finished = 0;
@@ -24,6 +24,11 @@ export function progressBar(bar, label) {
     return {
       at(fraction) {
         task.fraction = Math.min(fraction, 1);
+        show();
+      },
+      named(text) {
+        if (text === task.label) return;
+        task.label = text;
         show();
       },
       done() {

@@ -1,6 +1,7 @@
 // The tracer at work on a canvas: scenes and their images, the frames, a context that goes and comes back.
 
 import { fetchImage, fetchScene, giveFiles, handImage } from './load.js';
+import { watchContext } from './context.js';
 
 const mostPatienceMs = 3000;
 
@@ -12,17 +13,15 @@ const pause = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
  *   'scene' name · 'lost' · 'restored'
  */
 export function startSession({ tracer, canvas, task, emit }) {
-  const gl = canvas.getContext('webgl2'); // the tracer's own context: asked only whether it lives and is done
   let sceneName = null;
   let wantedScene = 0; // counts the scenes asked for: what comes for an older one is dropped
   let imagesAwaited = 0;
   let suspended = 0;
-  let lost = false;
   let compiling = null;
   let failure = '';
   let later = []; // what was asked for while there was no context
 
-  const alive = () => !lost && !gl.isContextLost();
+  const alive = () => context.alive;
 
   const report = (problems) => problems && emit('problem', problems);
 
@@ -35,8 +34,11 @@ export function startSession({ tracer, canvas, task, emit }) {
 
   const watchCompile = () => {
     const progress = tracer.progress();
+    const baking = progress.compiled === 1 && progress.baked < 1;
     if (progress.compiling) compiling ??= task('Compiling the shader');
     else if (compiling) compiling = void compiling.done();
+    compiling?.named(baking ? 'Baking distances' : 'Compiling the shader');
+    if (baking) compiling?.at(progress.baked);
     return progress;
   };
 
@@ -145,31 +147,19 @@ export function startSession({ tracer, canvas, task, emit }) {
 
   const whenAlive = (work) => (alive() ? work() : void later.push(work));
 
-  /** A promise of what `work` answers, which waits for a context where there is none. */
-  const withContext = (work) => new Promise((resolve) => whenAlive(resolve)).then(work);
-
-  canvas.addEventListener('webglcontextlost', (event) => {
-    event.preventDefault(); // without this it never comes back
-    lost = true;
-    compiling = void compiling?.done();
-    tracer.contextLost();
-    emit('lost');
+  const context = watchContext(canvas, tracer, {
+    lost() {
+      compiling = void compiling?.done();
+      emit('lost');
+    },
+    restored() {
+      for (const work of later.splice(0)) work();
+      emit('restored');
+    },
   });
-  canvas.addEventListener('webglcontextrestored', () => {
-    lost = false;
-    tracer.contextRestored();
-    for (const work of later.splice(0)) work();
-    emit('restored');
-  });
+  const { gl } = context;
 
   requestAnimationFrame(tick);
-
-  /** The name of the GPU, where the browser tells. */
-  const renderer = () => {
-    const name = tracer.glRenderer();
-    const unmasked = name === 'WebKit WebGL' && gl.getExtension('WEBGL_debug_renderer_info');
-    return unmasked ? gl.getParameter(unmasked.UNMASKED_RENDERER_WEBGL) : name;
-  };
 
   return {
     get sceneName() {
@@ -177,10 +167,6 @@ export function startSession({ tracer, canvas, task, emit }) {
     },
     get frames() {
       return frames;
-    },
-    /** There is a graphics context. */
-    get alive() {
-      return alive();
     },
     /** Nothing loads or compiles, and no script has the pictures to itself. */
     get resting() {
@@ -190,7 +176,5 @@ export function startSession({ tracer, canvas, task, emit }) {
     settled,
     alone,
     whenAlive,
-    withContext,
-    renderer,
   };
 }

@@ -3,6 +3,7 @@
 
 #include "lab/reference/exact/exact_shape.h"
 #include "lab/reference/exact/first_root.h"
+#include "lab/reference/exact/patch_hit.h"
 
 namespace gnomon::oracle {
 
@@ -18,7 +19,7 @@ struct Line {
     R local(float t) const { return R(Wide<R>(t) - middle); }
 };
 
-/// Where the ray enters the shape first, or leaves it where it starts inside.
+/// Where the ray enters the shape first, or leaves it where it starts inside: below a patch.
 template<class R>
 struct ExactHit {
     bool hit = false, inside = false;
@@ -85,11 +86,26 @@ ExactHit<R> exactHitOfFlat(const ExactShape<R>& shape, const Line<R>& line) {
     return hit;
 }
 
+/// By isolated roots (patch_hit.h).
+template<class R>
+ExactHit<R> exactHitOfPatch(const ExactShape<R>& shape, const Line<R>& line, R from) {
+    const R first = line.start + from;
+    const PatchHits<R> hits = hitsOf(shape.patch(), shape.alongAxes(line.p), shape.alongAxes(line.d), first);
+    ExactHit<R> hit;
+    hit.hit = !hits.t.empty();
+    if (hit.hit) hit.s = hits.t.front();
+    hit.inside = hits.below;
+    hit.tangency = hits.tangency;
+    return hit;
+}
+
 /// `finer`: so many times the samples that the shape's own turns need.
 template<class R>
 ExactHit<R> exactHit(const ExactShape<R>& shape, const Line<R>& line, R from = 0, int finer = 1) {
     const int samples = finer * (shape.convex() ? 16 : 256); // along a convex shape's rays there is one dip only
-    ExactHit<R> hit = shape.closed() ? exactHitOfClosed(shape, line, from, samples) : exactHitOfFlat(shape, line);
+    ExactHit<R> hit = shape.closed() ? exactHitOfClosed(shape, line, from, samples)
+                      : shape.flat() ? exactHitOfFlat(shape, line)
+                                     : exactHitOfPatch(shape, line, from);
     hit.t = line.middle + Wide<R>(hit.s);
     hit.point = line.at(hit.s);
     if (hit.hit) hit.normal = shape.normal(hit.point);

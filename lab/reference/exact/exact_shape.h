@@ -4,6 +4,8 @@
 /// coordinates are those of the shape's own size, so 1e-16 of it is lost), or any wider type.
 #pragma once
 
+#include "lab/reference/exact/ellipsoid.h"
+#include "lab/reference/exact/patch_surface.h"
 #include "lab/reference/exact/vec3.h"
 #include "tracer/scene/shapes.h"
 
@@ -12,6 +14,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <limits>
+#include <memory>
 #include <string_view>
 #include <type_traits>
 
@@ -33,21 +36,27 @@ class ExactShape {
     }
 
     ShapeKind kind() const { return kind_; }
-    bool closed() const { return kind_ != ShapeKind::Plane && kind_ != ShapeKind::Disc && !triangle(); }
+    bool closed() const { return !flat() && kind_ != ShapeKind::HeightPatch; }
+    /// A ray meets it once.
+    bool flat() const { return kind_ == ShapeKind::Plane || kind_ == ShapeKind::Disc || triangle(); }
     bool triangle() const { return kind_ == ShapeKind::Triangle || kind_ == ShapeKind::SmoothTriangle; }
     /// The distance is a convex function of the point.
     bool convex() const { return closed() && kind_ != ShapeKind::Torus; }
     const Vec3<Wide<R>>& middle() const { return middle_; }
     /// Radius of the sphere about the middle that holds the shape; 1 for a plane.
     const R& size() const { return size_; }
-    /// Along the torus, the plane's or disc's normal, from `from` to `to`; a triangle's normal.
+    /// Along the torus, the plane's or disc's normal, from `from` to `to`; a triangle's normal; a patch's upwards.
     const Vec3<R>& axis() const { return axis_; }
     const R& radius() const { return radius_; }
     const R& minor() const { return minor_; }
     const Vec3<R>& vertex(int i) const { return vertices_[i]; }
+    /// Of a height patch, in its own axes.
+    const PatchSurface<R>& patch() const { return *patch_; }
+    Vec3<R> alongAxes(const Vec3<R>& p) const { return {dot(p, axes_[0]), dot(p, axes_[1]), dot(p, axes_[2])}; }
+    Vec3<R> fromAxes(const Vec3<R>& p) const { return p.x * axes_[0] + p.y * axes_[1] + p.z * axes_[2]; }
 
-    /// Signed distance of a closed shape's surface, negative inside, or of the plane of a flat one. `p` from the
-    /// middle.
+    /// Signed distance of a closed shape's surface, negative inside, or of the plane of a flat one; of a patch negative
+    /// below it, where that has a meaning. `p` from the middle.
     R distance(const Vec3<R>& p) const {
         switch (kind_) {
         case ShapeKind::Sphere: return length(p) - radius_;
@@ -60,7 +69,7 @@ class ExactShape {
             const Vec3<R> q = alongAxes(p);
             return boxDistance(abs(q.x) - half_.x, abs(q.y) - half_.y, abs(q.z) - half_.z);
         }
-        case ShapeKind::Ellipsoid: return ellipsoidDistance(alongAxes(p));
+        case ShapeKind::Ellipsoid: return ellipsoidDistance(half_, alongAxes(p));
         case ShapeKind::Cylinder: {
             const Profile q = profile(p);
             return boxDistance(q.radial - radius_, abs(q.along) - halfLength_, R(-1e30));
@@ -74,7 +83,8 @@ class ExactShape {
         case ShapeKind::Disc:
         case ShapeKind::Triangle:
         case ShapeKind::SmoothTriangle: return dot(p, axis_);
-        case ShapeKind::HeightPatch: // patch_distance.h
+        case ShapeKind::HeightPatch: return patch_->signedDistance(alongAxes(p));
+        case ShapeKind::SpacePatch:  // space_patch_hit.h
         case ShapeKind::LargeSphere: // to its scene it is a sphere
         case ShapeKind::Mandelbulb:  // told by their distance fields only (solid.h)
         case ShapeKind::Solid: break;
@@ -82,8 +92,9 @@ class ExactShape {
         return noAnswer();
     }
 
-    /// The same, but of a disc or triangle as far as its rim, which has no inside: never negative.
+    /// The same, but of a disc, triangle or patch as far as its rim, which has no inside: never negative.
     R boundedDistance(const Vec3<R>& p) const {
+        if (kind_ == ShapeKind::HeightPatch) return patch_->distance(alongAxes(p));
         if (kind_ == ShapeKind::Disc) {
             const Profile q = profile(p);
             return hypotenuse(q.along, std::max<R>(q.radial - radius_, 0));
@@ -99,6 +110,12 @@ class ExactShape {
         return least;
     }
 
+    /// No farther than that from the surface: sooner told.
+    bool nearSurface(const Vec3<R>& p, const R& most) const {
+        if (kind_ == ShapeKind::HeightPatch && patch_->nearAt(alongAxes(p), most)) return true;
+        return abs(distance(p)) <= most; // NaN is not
+    }
+
     /// How far a point of a flat shape's plane is inside its rim; a plane has none.
     R withinRim(const Vec3<R>& p) const {
         if (kind_ == ShapeKind::Disc) return radius_ - length(p);
@@ -111,9 +128,10 @@ class ExactShape {
         return least;
     }
 
-    /// Unit, outward, by central differences of the distance.
+    /// Unit, outward, by central differences of the distance; of a patch upwards, at the point nearest to p.
     Vec3<R> normal(const Vec3<R>& p) const {
-        if (!closed()) return axis_;
+        if (flat()) return axis_;
+        if (kind_ == ShapeKind::HeightPatch) return fromAxes(patch_->normal(patch_->nearest(alongAxes(p))));
         const R h = R(1e-7) * size_;
         Vec3<R> g;
         for (int i = 0; i < 3; ++i) {
@@ -134,7 +152,7 @@ class ExactShape {
             std::sort(away, away + 3);
             return away[1];
         }
-        if (kind_ == ShapeKind::Ellipsoid) return ellipsoidDepth(alongAxes(p));
+        if (kind_ == ShapeKind::Ellipsoid) return ellipsoidDepth(half_, alongAxes(p));
         const Profile q = profile(p);
         if (kind_ == ShapeKind::Cylinder) return hypotenuse(q.radial - radius_, halfLength_ - abs(q.along));
         if (kind_ != ShapeKind::Cone) return R(1e30);
@@ -164,8 +182,9 @@ class ExactShape {
         case ShapeKind::Disc:
         case ShapeKind::Box:
         case ShapeKind::RotatedBox: return size_;
-        case ShapeKind::Ellipsoid: return std::min<R>(size_, ellipsoidBend(alongAxes(p)));
-        case ShapeKind::HeightPatch:
+        case ShapeKind::Ellipsoid: return std::min<R>(size_, ellipsoidBend(half_, alongAxes(p)));
+        case ShapeKind::HeightPatch: return std::min<R>(size_, patch_->bend(alongAxes(p)));
+        case ShapeKind::SpacePatch:
         case ShapeKind::LargeSphere:
         case ShapeKind::Mandelbulb:
         case ShapeKind::Solid: break;
@@ -227,6 +246,13 @@ class ExactShape {
             break;
         }
         case ShapeKind::HeightPatch:
+            middle_ = point("center");
+            half_ = R(0.5) * Vec3<R>(point("size"));
+            setAxes(Vec3<R>(point("rotate")));
+            axis_ = axes_[1];
+            patch_ = std::make_shared<PatchSurface<R>>(*shape.heights, R(2) * half_);
+            break;
+        case ShapeKind::SpacePatch:
         case ShapeKind::LargeSphere:
         case ShapeKind::Mandelbulb:
         case ShapeKind::Solid: noAnswer();
@@ -242,60 +268,6 @@ class ExactShape {
             axis[i] = 1;
             axes_[i] = (w * w - dot(v, v)) * axis + (2 * v[i]) * v + (2 * w) * cross(v, axis);
         }
-    }
-    Vec3<R> alongAxes(const Vec3<R>& p) const { return {dot(p, axes_[0]), dot(p, axes_[1]), dot(p, axes_[2])}; }
-
-    /// The foot q of p has p - q = s q / radii². Newton's method for 1 / |q / radii| = 1, nearly a straight line in s,
-    /// from where it is too small: it bends so that no step passes the root.
-    R ellipsoidDistance(const Vec3<R>& p) const {
-        using std::sqrt;
-        const R least = std::min<R>(half_.x, std::min<R>(half_.y, half_.z));
-        Vec3<R> weighed, gap;
-        R s = 0;
-        for (int i = 0; i < 3; ++i) {
-            weighed[i] = half_[i] * std::max<R>(abs(p[i]), least * std::numeric_limits<R>::epsilon());
-            gap[i] = (half_[i] - least) * (half_[i] + least); // told from the pole at s = -least²
-            s = std::max<R>(s, weighed[i] - gap[i]);
-        }
-        for (int round = 0; round < 200; ++round) {
-            R square = 0, slope = 0;
-            for (int i = 0; i < 3; ++i) {
-                const R part = weighed[i] / (s + gap[i]);
-                square += part * part;
-                slope += part * part / (s + gap[i]);
-            }
-            const R step = (sqrt(square) - 1) * square / slope;
-            if (!(step > s * std::numeric_limits<R>::epsilon())) break;
-            s += step;
-        }
-        Vec3<R> off, normal;
-        for (int i = 0; i < 3; ++i) {
-            const R part = weighed[i] / (s + gap[i]);
-            off[i] = abs(p[i]) - half_[i] * part;
-            normal[i] = part / half_[i];
-        }
-        return dot(off, unit(normal));
-    }
-    /// The normal through a point of the surface meets the plane across the shortest axis so far inside.
-    R ellipsoidDepth(const Vec3<R>& p) const {
-        const R least = std::min<R>(half_.x, std::min<R>(half_.y, half_.z));
-        Vec3<R> gradient;
-        for (int i = 0; i < 3; ++i) gradient[i] = p[i] / (half_[i] * half_[i]);
-        return least * least * length(gradient);
-    }
-    /// From trace and determinant of the shape operator of q / radii² at a point of the surface.
-    R ellipsoidBend(const Vec3<R>& p) const {
-        using std::sqrt;
-        Vec3<R> gradient, bends;
-        for (int i = 0; i < 3; ++i) {
-            bends[i] = 1 / (half_[i] * half_[i]);
-            gradient[i] = p[i] * bends[i];
-        }
-        const R steep = length(gradient);
-        R trace = 0;
-        for (int i = 0; i < 3; ++i) trace += bends[i] * (1 - gradient[i] * gradient[i] / (steep * steep)) / steep;
-        const R gauss = bends.x * bends.y * bends.z / (steep * steep * steep * steep);
-        return 2 / (trace + sqrt(std::max<R>(trace * trace - 4 * gauss, 0)));
     }
 
     /// Ends the program: a wrong reference would make every comparison with it worthless.
@@ -348,7 +320,8 @@ class ExactShape {
         case ShapeKind::Disc: return radius_;
         case ShapeKind::Torus: return radius_ + minor_;
         case ShapeKind::Box:
-        case ShapeKind::RotatedBox: return length(half_);
+        case ShapeKind::RotatedBox:
+        case ShapeKind::HeightPatch: return length(half_);
         case ShapeKind::Ellipsoid: return std::max<R>(half_.x, std::max<R>(half_.y, half_.z));
         case ShapeKind::Capsule: return halfLength_ + radius_;
         case ShapeKind::Cylinder:
@@ -357,7 +330,7 @@ class ExactShape {
         case ShapeKind::SmoothTriangle:
             return std::max<R>(length(vertices_[0]), std::max<R>(length(vertices_[1]), length(vertices_[2])));
         case ShapeKind::Plane: return R(1);
-        case ShapeKind::HeightPatch:
+        case ShapeKind::SpacePatch:
         case ShapeKind::LargeSphere:
         case ShapeKind::Mandelbulb:
         case ShapeKind::Solid: break;
@@ -367,8 +340,9 @@ class ExactShape {
 
     ShapeKind kind_;
     Vec3<Wide<R>> middle_;
-    Vec3<R> vertices_[3], axis_, half_; ///< half_: of an ellipsoid its radii
+    Vec3<R> vertices_[3], axis_, half_; ///< half_: of an ellipsoid its radii, of a patch of the box about it
     Vec3<R> axes_[3]{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    std::shared_ptr<const PatchSurface<R>> patch_;
     R radius_ = 0, minor_ = 0, halfLength_ = 0, size_ = 1;
 };
 

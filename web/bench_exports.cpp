@@ -1,12 +1,10 @@
 // Frame rates compared in the page, as `gnomon bench` compares them: a plain C interface over BenchRun for
 // page/compare.js.
 //
-// The order of use: benchPlan; for each of its scenes benchScene, benchImageNames and benchImage; benchBegin;
-// benchPrepare until it is finished; benchContinue; benchStart; benchMeasure until that is. benchResults at any time
-// after benchBegin, benchEnd at last. Text as in host.h. Steps answer 0: ask again after a moment, 1: one more is done,
-// 2: all is done.
-#include "web/bench_host.h"
-
+// The order of use, once in a module's life: benchPlan; for each of its scenes benchScene, benchImageNames and
+// benchImage; benchBegin; benchPrepare until it is finished; benchContinue; benchStart; benchMeasure until that is.
+// benchResults at any time after benchBegin. Text as in host.h. Steps answer 0: ask again after a moment, 1: one more
+// is done, 2: all is done.
 #include "lab/bench/bench_series.h"
 #include "lab/bench/bench_tables.h"
 #include "tracer/clock.h"
@@ -19,7 +17,9 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <utility>
 
 namespace {
 
@@ -37,11 +37,11 @@ std::unique_ptr<Bench> bench;
 
 } // namespace
 
-void benchLost() {
+void onContextLost() {
     if (bench && bench->run) bench->run->contextLost();
 }
 
-void benchRestored() {
+void onContextRestored() {
     if (bench && bench->run) bench->run->contextRestored(bench->problems);
 }
 
@@ -90,12 +90,12 @@ EMSCRIPTEN_KEEPALIVE const char* benchImage(const char* name, const std::uint8_t
     return give(toString(problems));
 }
 
-/// `clockStep` in seconds, `renderer` as the browser tells it in truth.
-EMSCRIPTEN_KEEPALIVE const char* benchBegin(double clockStep, const char* renderer) {
+/// `clockStep` in seconds.
+EMSCRIPTEN_KEEPALIVE const char* benchBegin(double clockStep) {
     Problems problems;
     for (const BenchEntry& entry : bench->plan.entries)
         if (!poseOf(bench->scenes[entry.scene].scene, entry.settings, bench->source, problems)) break;
-    const BenchMeans means{monotonicSeconds, nullptr, clockStep, !gl::drawnByProcessor(renderer), nullptr};
+    const BenchMeans means{monotonicSeconds, nullptr, clockStep, !gl::drawnByProcessor(gl::info().renderer), nullptr};
     if (problems.empty()) bench->run = std::make_unique<BenchRun>(bench->plan, bench->scenes, means, problems);
     return give(toString(problems));
 }
@@ -133,7 +133,5 @@ EMSCRIPTEN_KEEPALIVE const char* benchResults(const char* context, const char* c
     const ContextCosts costs{context, known, bench->run->costs(), bench->run->rounds()};
     return give(toJson(benchResults(bench->plan, {costs}, linesOf(contexts), command)));
 }
-
-EMSCRIPTEN_KEEPALIVE void benchEnd() { bench.reset(); }
 
 } // extern "C"

@@ -1,12 +1,24 @@
-// The C interface of web/bench_host.cpp as a JavaScript object; the order of use stands there.
+// The laboratory's program as a JavaScript object, see module.js: web/lab_exports.cpp, and web/bench_exports.cpp, where
+// the order of use stands.
 
-import { pairsOf } from './tracer.js';
+import { linesOf, pairsOf } from './module.js';
 
 /** What came of a step, as BenchStep in lab/bench/bench_run.h. */
 export const BenchStep = { working: 0, stepped: 1, finished: 2 };
 
-export function benchOf({ call, callForText, callWithBytes }) {
+export function labCalls(module) {
+  const { call, callForText, callWithBytes, readback } = module;
   return {
+    ...module,
+
+    numerics: () => JSON.parse(callForText('measureNumerics')),
+    /** Answers { problems, answers }: eight numbers a ray, in and out. */
+    traceRays(json, rays) {
+      const bytes = new Uint8Array(rays.buffer, rays.byteOffset, rays.byteLength);
+      const problems = callWithBytes('traceRays', json, bytes, rays.length / 8);
+      return { problems, answers: readback('tracedRays', Float32Array).data };
+    },
+
     plan: (scenes, settings, baseline, place) => callForText('benchPlan', scenes, settings, baseline, place),
     planned() {
       const pairs = pairsOf(callForText('benchPlanned'));
@@ -14,22 +26,20 @@ export function benchOf({ call, callForText, callWithBytes }) {
       return { scenes: of('scenes'), values: Object.fromEntries(pairsOf(of('values').join('\n'))), rows: of('rows') };
     },
     scene: (json, name) => callForText('benchScene', json, name),
-    imageNames: () => callForText('benchImageNames').split('\n').filter(Boolean),
-    measure: (name, bytes) => callWithBytes('measureImageFile', name, bytes),
+    imageNames: () => linesOf(callForText('benchImageNames')),
     give: (name, bytes, width) => callWithBytes('benchImage', name, bytes, bytes.length, width),
-    begin: (clockStep, renderer) => callForText('benchBegin', clockStep, renderer),
+    begin: (clockStep) => callForText('benchBegin', clockStep),
     leaveOut: (row) => call('benchLeaveOut', row),
     prepare: () => call('benchPrepare'),
     continueFrom: (series) => callForText('benchContinue', series),
     series: () => callForText('benchSeries'),
     start: (rounds, sessions, seconds) => call('benchStart', rounds, sessions, seconds),
-    measure: () => call('benchMeasure'),
+    step: () => call('benchMeasure'),
     row: () => call('benchRow'),
     drawn: () => call('benchDrawn'),
     rounds: () => call('benchRounds'),
     problems: () => callForText('benchProblems'),
     results: (context, contexts, environment, command) =>
       JSON.parse(callForText('benchResults', context, contexts, environment, command)),
-    end: () => call('benchEnd'),
   };
 }
